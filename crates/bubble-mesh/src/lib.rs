@@ -1,0 +1,1 @@
+//! Graded triangle meshes of planar domains steered by bubbles (Luo).

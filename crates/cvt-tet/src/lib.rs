@@ -1,0 +1,1 @@
+//! Meshes optimised by centroidal Voronoi tessellation (Du and Wang).

@@ -1,0 +1,1 @@
+//! Exact signs of orientation, in-circle and in-sphere determinants, with fast filters and symbolic perturbation.

@@ -1,0 +1,1 @@
+//! Multiblock structured quad meshes around circles from the medial axis (Guoy and Erickson).

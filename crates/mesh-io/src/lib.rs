@@ -1,0 +1,1 @@
+//! Mesh file formats: plain points, cells, markers and structured blocks, read and written without a panic.

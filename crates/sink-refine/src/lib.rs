@@ -1,0 +1,1 @@
+//! Delaunay refinement by sink insertion (Edelsbrunner and Guoy).

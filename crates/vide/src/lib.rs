@@ -1,0 +1,1 @@
+//! The vide command line, and every Sphère Vide crate behind one dependency.
