@@ -1,1 +1,44 @@
 //! Delaunay triangulations: Bowyer–Watson kernel, half-edge mesh, Voronoi dual and the measures of mesh quality.
+//!
+//! ```
+//! use delaunay_core::{Delaunay2, Location, VertexId};
+//! use glam::DVec2;
+//!
+//! // A hexagon and its center.
+//! let ring = [[2., 0.], [1., 2.], [-1., 2.], [-2., 0.], [-1., -2.], [1., -2.], [0., 0.]];
+//! let mut delaunay = Delaunay2::build(&ring.map(DVec2::from))?;
+//! assert_eq!(delaunay.faces().count(), 6);
+//!
+//! // Input point i is vertex i; the center sees the whole ring.
+//! let center = VertexId::new(6);
+//! assert_eq!(delaunay.mesh().neighbors(center).count(), 6);
+//! assert!(matches!(delaunay.locate(DVec2::new(0.1, 1.0))?, Location::Face(_)));
+//!
+//! // Points come and go; the triangulation stays Delaunay, with exact signs.
+//! let v = delaunay.insert(DVec2::new(0.0, 1.0))?.vertex();
+//! delaunay.remove(v)?;
+//! assert_eq!(delaunay.check(), Ok(()));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! - [`Delaunay2`] is the triangulation, [`TriMesh`] its connectivity; data about elements live in a
+//!   `Vec` beside the mesh, indexed by [`VertexId::index`], [`FaceId::index`] or [`HalfEdgeId::index`].
+//! - Signs, ids, ghosts and the accepted coordinates are as in `docs/conventions.md`. All decisions about
+//!   topology are made by the exact predicates of [`geo_predicates`], re-exported here.
+//! - [`progress`] reports from and cancels long loops; [`order`] puts points in spatial order.
+
+pub mod order;
+pub mod progress;
+
+mod error;
+mod hilbert;
+mod ids;
+mod tri;
+
+pub use error::{BuildError, InsertError, RemoveError};
+pub use geo_predicates;
+pub use ids::{FaceId, HalfEdgeId, VertexId};
+pub use tri::{
+    Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,
+    PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,
+};

@@ -1,0 +1,44 @@
+//! Triangulations of the plane.
+//!
+//! | step | file |
+//! |---|---|
+//! | connectivity, surgery | `mesh.rs`, `around.rs`, `canonical.rs` |
+//! | the triangulation and read access | `delaunay.rs`, `duplicates.rs`, `flat.rs` |
+//! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `star.rs` |
+//! | all points | `build.rs` |
+//! | one point less | `remove.rs` |
+//! | questions | `nearest.rs`, `hull.rs` |
+//! | the Voronoi diagram | `dual.rs`, `circumcenter.rs`, `convex.rs` |
+//! | invariants | `check.rs` |
+
+mod around;
+mod build;
+mod canonical;
+mod cavity;
+mod check;
+mod circumcenter;
+mod convex;
+mod delaunay;
+mod dual;
+mod duplicates;
+mod flat;
+mod hull;
+mod insert;
+mod locate;
+mod mesh;
+mod nearest;
+mod remove;
+mod star;
+
+pub use around::Around;
+pub use cavity::{Cavity, RimEdge};
+pub use check::Violation;
+pub use convex::{ConvexPolygon, PolygonError};
+pub use delaunay::Delaunay2;
+pub use dual::{Voronoi, VoronoiEdge};
+pub use duplicates::Duplicates;
+pub use flat::{Extent, Flat};
+pub use hull::Hull;
+pub use insert::Inserted;
+pub use locate::Location;
+pub use mesh::TriMesh;
