@@ -1,3 +1,21 @@
 //! Mesh file formats: plain points, cells, markers and structured blocks, read and written without a panic.
 
+mod atomic;
+mod blocks;
+mod blocks_to_mesh;
+mod cell;
+mod circles;
+mod error;
+mod format;
+mod mesh;
+mod planar_graph;
 pub mod svg;
+
+pub use atomic::write_atomically;
+pub use blocks::{BlockSide, BlocksDefect, Connection, StructuredBlock, StructuredBlocks};
+pub use cell::{Cell, CellKind, Cells};
+pub use circles::{CirclesDomain, Frame, Hole};
+pub use error::{Place, ReadError, ReadProblem, WriteError, WriteProblem};
+pub use format::Format;
+pub use mesh::{Axis, DataArray, Mesh, MeshDefect};
+pub use planar_graph::{PlanarGraph, Region};

@@ -1,0 +1,97 @@
+//! Which format a path names.
+
+use std::fmt;
+use std::path::Path;
+
+/// A file format.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// VTK XML unstructured grid, `.vtu`.
+    Vtu,
+    /// Gmsh MSH 4.1, `.msh`.
+    Msh,
+    /// Plot3D multi-block in ASCII, `.p3d`.
+    Plot3dAscii,
+    /// Plot3D multi-block in binary, `.p3b`.
+    Plot3dBinary,
+    /// `OpenFOAM` block description: a file called `blockMeshDict`, or with that extension.
+    BlockMeshDict,
+    /// Points of Triangle, `.node`.
+    TriangleNode,
+    /// Triangles of Triangle, `.ele`, with their points in a `.node` beside it.
+    TriangleEle,
+    /// Planar straight-line graph of Triangle, `.poly`.
+    TrianglePoly,
+    /// Object File Format, `.off`.
+    Off,
+    /// Scalable Vector Graphics, `.svg`.
+    Svg,
+    /// Two coordinates a line, `.xy`.
+    Xy,
+    /// Three coordinates a line, `.xyz`.
+    Xyz,
+}
+
+impl Format {
+    /// Every name that [`Format::from_path`] knows, for messages.
+    pub const EXTENSIONS: &'static str =
+        ".vtu .msh .p3d .p3b blockMeshDict .node .ele .poly .off .svg .xy .xyz";
+
+    /// The format that a path names by its file name or extension (in any case); `None` when it names none.
+    #[must_use]
+    pub fn from_path(path: &Path) -> Option<Self> {
+        let extension = path.extension().or_else(|| path.file_name())?.to_str()?;
+        Some(match extension.to_ascii_lowercase().as_str() {
+            "vtu" => Self::Vtu,
+            "msh" => Self::Msh,
+            "p3d" => Self::Plot3dAscii,
+            "p3b" => Self::Plot3dBinary,
+            "blockmeshdict" => Self::BlockMeshDict,
+            "node" => Self::TriangleNode,
+            "ele" => Self::TriangleEle,
+            "poly" => Self::TrianglePoly,
+            "off" => Self::Off,
+            "svg" => Self::Svg,
+            "xy" => Self::Xy,
+            "xyz" => Self::Xyz,
+            _ => return None,
+        })
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(match self {
+            Self::Vtu => "VTU",
+            Self::Msh => "MSH",
+            Self::Plot3dAscii => "Plot3D ASCII",
+            Self::Plot3dBinary => "Plot3D binary",
+            Self::BlockMeshDict => "blockMeshDict",
+            Self::TriangleNode => "Triangle .node",
+            Self::TriangleEle => "Triangle .ele",
+            Self::TrianglePoly => "Triangle .poly",
+            Self::Off => "OFF",
+            Self::Svg => "SVG",
+            Self::Xy => "xy text",
+            Self::Xyz => "xyz text",
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_names_its_format_by_extension_or_by_name() {
+        let format = |path: &str| Format::from_path(Path::new(path));
+        assert_eq!(format("a/b.VTU"), Some(Format::Vtu));
+        assert_eq!(format("system/blockMeshDict"), Some(Format::BlockMeshDict));
+        assert_eq!(format("fine.blockMeshDict"), Some(Format::BlockMeshDict));
+        assert_eq!(format("a.tar.node"), Some(Format::TriangleNode));
+        assert_eq!(
+            (format("noextension"), format("a.stl"), format("")),
+            (None, None, None)
+        );
+    }
+}
