@@ -1,7 +1,10 @@
 //! Empty circles and empty spheres: which points lie inside the ball through others.
 
-use crate::orient::{coord, coord3};
+use crate::filter::{Filter2, Filter3, Relative2, Relative3};
+use crate::grid::{Grid, cross, dot, minus};
+use crate::orient::{coord, coord3, volume};
 use crate::sign::Sign;
+use crate::wide::Wide;
 use glam::{DVec2, DVec3};
 
 /// Side of the circle through `a`, `b`, `c` on which `d` lies.
@@ -12,7 +15,10 @@ use glam::{DVec2, DVec3};
 #[inline]
 #[must_use]
 pub fn in_circle(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Sign {
-    Sign::of(robust::incircle(coord(a), coord(b), coord(c), coord(d)))
+    let [ad, bd, cd] = [a, b, c].map(|corner| Relative2::new(corner, d));
+    Filter2::GENERAL
+        .in_circle_relative(&ad, &bd, &cd)
+        .unwrap_or_else(|| exact_in_circle(a, b, c, d))
 }
 
 /// Side of the sphere through `a`, `b`, `c`, `d` on which `e` lies.
@@ -23,13 +29,57 @@ pub fn in_circle(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Sign {
 #[inline]
 #[must_use]
 pub fn in_sphere(a: DVec3, b: DVec3, c: DVec3, d: DVec3, e: DVec3) -> Sign {
-    -Sign::of(robust::insphere(
-        coord3(a),
-        coord3(b),
-        coord3(c),
-        coord3(d),
-        coord3(e),
-    ))
+    let [ae, be, ce, de] = [a, b, c, d].map(|corner| Relative3::new(corner, e));
+    Filter3::GENERAL
+        .in_sphere_relative(&ae, &be, &ce, &de)
+        .unwrap_or_else(|| exact_in_sphere(a, b, c, d, e))
+}
+
+#[cold]
+#[inline(never)]
+fn exact_in_circle(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Sign {
+    let Some(grid) = Grid::of([a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y]) else {
+        return Sign::of(robust::incircle(coord(a), coord(b), coord(c), coord(d)));
+    };
+    let [ax, ay, bx, by, cx, cy, dx, dy] = grid.integers;
+    let rows = [[ax, ay], [bx, by], [cx, cy]].map(|corner| minus(corner, [dx, dy]));
+    below_plane(rows, rows.map(|row| dot(row, row)))
+}
+
+#[cold]
+#[inline(never)]
+fn exact_in_sphere(a: DVec3, b: DVec3, c: DVec3, d: DVec3, e: DVec3) -> Sign {
+    let coordinates = [
+        a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z,
+    ];
+    let Some(grid) = Grid::of(coordinates) else {
+        let [a, b, c, d, e] = [a, b, c, d, e].map(coord3);
+        return -Sign::of(robust::insphere(a, b, c, d, e));
+    };
+    let [ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz, ex, ey, ez] = grid.integers;
+    let corners = [[ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]];
+    let rows = corners.map(|corner| minus(corner, [ex, ey, ez]));
+    below_hyperplane(rows, rows.map(|row| dot(row, row)))
+}
+
+/// Whether the origin is below the plane of three points of the plane, lifted.
+pub(crate) fn below_plane([a, b, c]: [[i64; 2]; 3], lifts: [i128; 3]) -> Sign {
+    let [la, lb, lc] = lifts.map(Wide::from);
+    let [bc, ca, ab] = [cross(b, c), cross(c, a), cross(a, b)].map(Wide::from);
+    (la.times::<2, 4>(bc) + lb.times(ca) + lc.times(ab)).sign()
+}
+
+/// Whether the origin is below the hyperplane of four points of space, lifted.
+pub(crate) fn below_hyperplane([a, b, c, d]: [[i64; 3]; 4], lifts: [i128; 4]) -> Sign {
+    let [la, lb, lc, ld] = lifts.map(Wide::from);
+    let (ab, bc, cd, da) = (cross(a, b), cross(b, c), cross(c, d), cross(d, a));
+    let (ac, bd) = (cross(a, c), cross(b, d));
+    let abc = volume([a, b, c], [bc, -ac, ab]);
+    let bcd = volume([b, c, d], [cd, -bd, bc]);
+    let cda = volume([c, d, a], [da, ac, cd]);
+    let dab = volume([d, a, b], [ab, bd, da]);
+    let one = la.times::<3, 5>(bcd) + lc.times(dab);
+    (one - (lb.times(cda) + ld.times(abc))).sign()
 }
 
 #[cfg(test)]

@@ -5,11 +5,13 @@ pub mod filter;
 pub mod perturb;
 
 mod diametral;
+mod grid;
 mod in_ball;
 mod orient;
 mod power;
 mod sign;
 mod unbounded;
+mod wide;
 
 pub use coordinate::{
     Axis, CoordinateError, WeightError, check_point2, check_point3, check_points2, check_points3,

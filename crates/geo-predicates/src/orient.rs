@@ -1,6 +1,9 @@
 //! Which way points turn: orientation in the plane and in space.
 
+use crate::filter::{Filter2, Filter3, Relative3};
+use crate::grid::{Grid, cross, minus};
 use crate::sign::Sign;
+use crate::wide::Wide;
 use glam::{DVec2, DVec3};
 use robust::{Coord, Coord3D};
 
@@ -11,7 +14,9 @@ use robust::{Coord, Coord3D};
 #[inline]
 #[must_use]
 pub fn orient2d(a: DVec2, b: DVec2, c: DVec2) -> Sign {
-    Sign::of(robust::orient2d(coord(a), coord(b), coord(c)))
+    Filter2::GENERAL
+        .orient2d(a, b, c)
+        .unwrap_or_else(|| exact_orient2d(a, b, c))
 }
 
 /// Sign of the signed volume of the tetrahedron `abcd`.
@@ -22,7 +27,41 @@ pub fn orient2d(a: DVec2, b: DVec2, c: DVec2) -> Sign {
 #[inline]
 #[must_use]
 pub fn orient3d(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> Sign {
-    -Sign::of(robust::orient3d(coord3(a), coord3(b), coord3(c), coord3(d)))
+    let [ad, bd, cd] = [a, b, c].map(|corner| Relative3::new(corner, d));
+    Filter3::GENERAL
+        .orient_relative(&ad, &bd, &cd)
+        .unwrap_or_else(|| exact_orient3d(a, b, c, d))
+}
+
+#[cold]
+#[inline(never)]
+fn exact_orient2d(a: DVec2, b: DVec2, c: DVec2) -> Sign {
+    let Some(grid) = Grid::of([a.x, a.y, b.x, b.y, c.x, c.y]) else {
+        return Sign::of(robust::orient2d(coord(a), coord(b), coord(c)));
+    };
+    let [ax, ay, bx, by, cx, cy] = grid.integers;
+    let c = [cx, cy];
+    Wide::from(cross(minus([ax, ay], c), minus([bx, by], c))).sign()
+}
+
+#[cold]
+#[inline(never)]
+fn exact_orient3d(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> Sign {
+    let Some(grid) = Grid::of([a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z]) else {
+        return -Sign::of(robust::orient3d(coord3(a), coord3(b), coord3(c), coord3(d)));
+    };
+    let [ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz] = grid.integers;
+    let d = [dx, dy, dz];
+    let [a, b, c] = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]].map(|corner| minus(corner, d));
+    (-volume([a, b, c], [cross(b, c), cross(c, a), cross(a, b)])).sign()
+}
+
+/// Determinant of three rows, from the minors `[bc, ca, ab]` of their first two columns.
+#[inline]
+pub(crate) fn volume([a, b, c]: [[i64; 3]; 3], minors: [i128; 3]) -> Wide<3> {
+    let [bc, ca, ab] = minors.map(Wide::from);
+    let height = |row: [i64; 3]| Wide::from(row[2]);
+    height(a).times(bc) + height(b).times(ca) + height(c).times(ab)
 }
 
 pub(crate) fn coord(p: DVec2) -> Coord<f64> {
