@@ -28,7 +28,7 @@ use glam::{DVec2, DVec3};
 
 const ORIENT2D: f64 = 3.330_669_073_875_472e-16;
 const IN_CIRCLE: f64 = 3.71e-16;
-const ORIENT3D: f64 = 1.75e-16;
+const ORIENT3D: f64 = 7.78e-16;
 const IN_SPHERE: f64 = 2.6e-16;
 
 /// Vector from the query point to a vertex of the plane, with its squared length.
@@ -193,10 +193,11 @@ impl Filter3 {
     #[inline(always)]
     #[must_use]
     pub fn orient_relative(&self, a: &Relative3, b: &Relative3, c: &Relative3) -> Option<Sign> {
-        let minors = [minor(b, c), minor(c, a), minor(a, b)];
-        let volume = a.vector.z * minors[0] + b.vector.z * minors[1] + c.vector.z * minors[2];
-        let sum = a.lift + b.lift + c.lift;
-        certain(-volume, self.orient * (sum * sum.sqrt()))
+        let [(bc, bc_size), (ca, ca_size), (ab, ab_size)] = [sized_minor(b, c), sized_minor(c, a), sized_minor(a, b)];
+        let [az, bz, cz] = [a.vector.z, b.vector.z, c.vector.z];
+        let volume = az * bc + bz * ca + cz * ab;
+        let permanent = az.abs() * bc_size + bz.abs() * ca_size + cz.abs() * ab_size;
+        certain(-volume, self.orient * permanent)
     }
 
     /// `in_sphere(a, b, c, d, p)`.
@@ -226,6 +227,12 @@ impl Filter3 {
 #[inline(always)]
 fn minor(a: &Relative3, b: &Relative3) -> f64 {
     a.vector.x * b.vector.y - a.vector.y * b.vector.x
+}
+
+#[inline(always)]
+fn sized_minor(a: &Relative3, b: &Relative3) -> (f64, f64) {
+    let (left, right) = (a.vector.x * b.vector.y, a.vector.y * b.vector.x);
+    (left - right, left.abs() + right.abs())
 }
 
 /// Sign of a number known up to an error of at most `bound`, if certain. A bound of 0 says that
