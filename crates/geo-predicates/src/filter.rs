@@ -23,13 +23,28 @@
 //! bound is 0 ([`Filter2::for_points`]): lattices, the worst case of the general filter, then
 //! never reach the exact stage, and a determinant of 0 is a true tie.
 
+use crate::few_bits::extent;
 use crate::sign::Sign;
+use crate::statistics::{Predicate, Stage, record};
 use glam::{DVec2, DVec3};
 
 const ORIENT2D: f64 = 3.330_669_073_875_472e-16;
 const IN_CIRCLE: f64 = 3.71e-16;
 const ORIENT3D: f64 = 7.78e-16;
 const IN_SPHERE: f64 = 2.6e-16;
+const DIAMETRAL_SPHERE: f64 = 5.6e-16;
+/// Half of what the table says: it multiplies the doubled size.
+const DIAMETRAL_BALL: f64 = 1.25e-15;
+const POWER_CIRCLE: f64 = 4.6e-16;
+const POWER_SPHERE: f64 = 3.3e-16;
+
+/// Greatest extents, in units of the lowest bit, for which determinants stay below 2^53: with
+/// differences of at most `e` they are at most 2 e^2, 12 e^4, 6 e^3 and 72 e^5, sums on the way
+/// included.
+const FEW_BITS_ORIENT2D: f64 = 67_108_864.0;
+const FEW_BITS_IN_CIRCLE: f64 = 5_233.0;
+const FEW_BITS_ORIENT3D: f64 = 114_503.0;
+const FEW_BITS_IN_SPHERE: f64 = 659.0;
 
 /// Vector from the query point to a vertex of the plane, with its squared length.
 #[derive(Clone, Copy, Debug)]
@@ -97,8 +112,19 @@ impl Filter2 {
     /// `points`, and for no other point. Linear, but stops early when the points have many bits.
     #[must_use]
     pub fn for_points(points: &[DVec2]) -> Self {
-        let _ = points;
-        Self::GENERAL
+        let extent = extent(points.iter().map(DVec2::to_array), FEW_BITS_ORIENT2D);
+        Self {
+            orient: if extent <= FEW_BITS_ORIENT2D {
+                0.0
+            } else {
+                Self::GENERAL.orient
+            },
+            circle: if extent <= FEW_BITS_IN_CIRCLE {
+                0.0
+            } else {
+                Self::GENERAL.circle
+            },
+        }
     }
 
     /// `orient2d(a, b, c)`.
@@ -118,7 +144,11 @@ impl Filter2 {
     #[inline(always)]
     fn orient(&self, a: DVec2, b: DVec2) -> Option<Sign> {
         let (left, right) = (a.x * b.y, a.y * b.x);
-        certain(left - right, self.orient * (left + right).abs())
+        certain(
+            Predicate::Orient2d,
+            left - right,
+            self.orient * (left + right).abs(),
+        )
     }
 
     /// `in_circle(a, b, c, p)`.
@@ -135,7 +165,11 @@ impl Filter2 {
         let [a, b, c] = corners.map(|corner| corner.lift);
         let [bc, ca, ab] = crosses.map(|cross| cross.0);
         let sum = a + b + c;
-        certain(a * bc + b * ca + c * ab, self.circle * (sum * sum))
+        certain(
+            Predicate::InCircle,
+            a * bc + b * ca + c * ab,
+            self.circle * (sum * sum),
+        )
     }
 }
 
@@ -185,19 +219,31 @@ impl Filter3 {
     /// `points`, and for no other point. Linear, but stops early when the points have many bits.
     #[must_use]
     pub fn for_points(points: &[DVec3]) -> Self {
-        let _ = points;
-        Self::GENERAL
+        let extent = extent(points.iter().map(DVec3::to_array), FEW_BITS_ORIENT3D);
+        Self {
+            orient: if extent <= FEW_BITS_ORIENT3D {
+                0.0
+            } else {
+                Self::GENERAL.orient
+            },
+            sphere: if extent <= FEW_BITS_IN_SPHERE {
+                0.0
+            } else {
+                Self::GENERAL.sphere
+            },
+        }
     }
 
     /// `orient3d(a, b, c, p)`.
     #[inline(always)]
     #[must_use]
     pub fn orient_relative(&self, a: &Relative3, b: &Relative3, c: &Relative3) -> Option<Sign> {
-        let [(bc, bc_size), (ca, ca_size), (ab, ab_size)] = [sized_minor(b, c), sized_minor(c, a), sized_minor(a, b)];
+        let [(bc, bc_size), (ca, ca_size), (ab, ab_size)] =
+            [sized_minor(b, c), sized_minor(c, a), sized_minor(a, b)];
         let [az, bz, cz] = [a.vector.z, b.vector.z, c.vector.z];
         let volume = az * bc + bz * ca + cz * ab;
         let permanent = az.abs() * bc_size + bz.abs() * ca_size + cz.abs() * ab_size;
-        certain(-volume, self.orient * permanent)
+        certain(Predicate::Orient3d, -volume, self.orient * permanent)
     }
 
     /// `in_sphere(a, b, c, d, p)`.
@@ -210,17 +256,95 @@ impl Filter3 {
         c: &Relative3,
         d: &Relative3,
     ) -> Option<Sign> {
-        let (ab, bc, cd, da) = (minor(a, b), minor(b, c), minor(c, d), minor(d, a));
-        let (ac, bd) = (minor(a, c), minor(b, d));
-        let [az, bz, cz, dz] = [a.vector.z, b.vector.z, c.vector.z, d.vector.z];
-        let abc = az * bc - bz * ac + cz * ab;
-        let bcd = bz * cd - cz * bd + dz * bc;
-        let cda = cz * da + dz * ac + az * cd;
-        let dab = dz * ab + az * bd + bz * da;
-        let inside = (c.lift * dab - d.lift * abc) + (a.lift * bcd - b.lift * cda);
         let sum = (a.lift + b.lift) + (c.lift + d.lift);
-        certain(inside, self.sphere * (sum * sum * sum.sqrt()))
+        certain(
+            Predicate::InSphere,
+            below_hyperplane(a, b, c, d),
+            self.sphere * (sum * sum * sum.sqrt()),
+        )
     }
+}
+
+/// `in_diametral_circle(a, b, p)` of the vectors from `p` to `a` and `b`.
+#[inline(always)]
+pub(crate) fn in_diametral_circle(a: DVec2, b: DVec2) -> Option<Sign> {
+    let (x, y) = (a.x * b.x, a.y * b.y);
+    certain(
+        Predicate::InDiametralCircle,
+        -(x + y),
+        ORIENT2D * (x - y).abs(),
+    )
+}
+
+/// `in_diametral_sphere(a, b, p)` of the vectors from `p` to `a` and `b`.
+#[inline(always)]
+pub(crate) fn in_diametral_sphere(a: DVec3, b: DVec3) -> Option<Sign> {
+    let (x, y, z) = (a.x * b.x, a.y * b.y, a.z * b.z);
+    certain(
+        Predicate::InDiametralSphere,
+        -(x + y + z),
+        DIAMETRAL_SPHERE * (x.abs() + y.abs() + z.abs()),
+    )
+}
+
+/// `in_diametral_ball(a, b, c, p)` of the vectors `u`, `v`, `w` from `a` to `b`, `c`, `p`.
+///
+/// The only determinant that can leave the range of the doubles: underflow loses less than the
+/// least normal number, and before anything overflows the bound is infinite.
+#[inline(always)]
+pub(crate) fn in_diametral_ball(u: DVec3, v: DVec3, w: DVec3) -> Option<Sign> {
+    let (uu, vv, ww) = (u.dot(u), v.dot(v), w.dot(w));
+    let normal = u.cross(v);
+    let outside = normal.dot(v.cross(w) * uu + w.cross(u) * vv + normal * ww);
+    let size = 2.0 * (uu * vv * (uu + vv + 4.0 * ww));
+    certain(
+        Predicate::InDiametralBall,
+        -outside,
+        DIAMETRAL_BALL * size + f64::MIN_POSITIVE,
+    )
+}
+
+/// `power_circle(a, b, c, d)` of the vectors from `d` to `[a, b, c]` and the differences of their
+/// weights to that of `d`.
+#[inline(always)]
+pub(crate) fn power_circle(corners: [(DVec2, f64); 3]) -> Option<Sign> {
+    let [a, b, c] = corners.map(|(vector, _)| vector);
+    let lifts = corners.map(|(vector, weight)| (vector.dot(vector), weight));
+    let [la, lb, lc] = lifts.map(|(length, weight)| length - weight);
+    let [sa, sb, sc] = lifts.map(|(length, weight)| length + weight.abs());
+    let sum = sa + sb + sc;
+    let below = la * b.perp_dot(c) + lb * c.perp_dot(a) + lc * a.perp_dot(b);
+    certain(Predicate::PowerCircle, below, POWER_CIRCLE * (sum * sum))
+}
+
+/// `power_sphere(a, b, c, d, e)` of the vectors from `e` to `[a, b, c, d]` and the differences of
+/// their weights to that of `e`.
+#[inline(always)]
+pub(crate) fn power_sphere(corners: [(DVec3, f64); 4]) -> Option<Sign> {
+    let [a, b, c, d] = corners.map(|(vector, weight)| Relative3 {
+        vector,
+        lift: vector.dot(vector) - weight,
+    });
+    let sizes = corners.map(|(vector, weight)| vector.dot(vector) + weight.abs());
+    let sum = (sizes[0] + sizes[1]) + (sizes[2] + sizes[3]);
+    certain(
+        Predicate::PowerSphere,
+        below_hyperplane(&a, &b, &c, &d),
+        POWER_SPHERE * (sum * sum * sum.sqrt()),
+    )
+}
+
+/// How far the origin is below the hyperplane of the lifted vectors, times their volume.
+#[inline(always)]
+fn below_hyperplane(a: &Relative3, b: &Relative3, c: &Relative3, d: &Relative3) -> f64 {
+    let (ab, bc, cd, da) = (minor(a, b), minor(b, c), minor(c, d), minor(d, a));
+    let (ac, bd) = (minor(a, c), minor(b, d));
+    let [az, bz, cz, dz] = [a.vector.z, b.vector.z, c.vector.z, d.vector.z];
+    let abc = az * bc - bz * ac + cz * ab;
+    let bcd = bz * cd - cz * bd + dz * bc;
+    let cda = cz * da + dz * ac + az * cd;
+    let dab = dz * ab + az * bd + bz * da;
+    (c.lift * dab - d.lift * abc) + (a.lift * bcd - b.lift * cda)
 }
 
 /// `a.x b.y - a.y b.x`.
@@ -238,7 +362,16 @@ fn sized_minor(a: &Relative3, b: &Relative3) -> (f64, f64) {
 /// Sign of a number known up to an error of at most `bound`, if certain. A bound of 0 says that
 /// it is exact. NaN anywhere is never certain.
 #[inline(always)]
-fn certain(value: f64, bound: f64) -> Option<Sign> {
+fn certain(predicate: Predicate, value: f64, bound: f64) -> Option<Sign> {
+    let sign = sign_within(value, bound);
+    if sign.is_some() {
+        record(predicate, Stage::Filter);
+    }
+    sign
+}
+
+#[inline(always)]
+fn sign_within(value: f64, bound: f64) -> Option<Sign> {
     if value > bound {
         Some(Sign::Positive)
     } else if value < -bound {

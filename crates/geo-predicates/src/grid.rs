@@ -7,60 +7,71 @@
 
 use crate::coordinate::power_of_two;
 
-/// Coordinates of magnitude below 2^61, so that differences fit 63 bits, and the scale.
-pub(crate) struct Grid<const N: usize> {
-    /// The coordinates times the scale.
-    pub(crate) integers: [i64; N],
+/// The conversion of a query's doubles to integers: a power of two, chosen for them all.
+pub(crate) struct Grid {
     scale: f64,
 }
 
-impl<const N: usize> Grid<N> {
-    /// The coordinates on a grid, if they fit in one window.
+impl Grid {
+    /// The points in units of a common grid, if they fit in one window: coordinates of magnitude
+    /// below 2^61, so that differences fit 63 bits.
     #[inline]
-    pub(crate) fn of(coordinates: [f64; N]) -> Option<Self> {
-        Self::with_least_top(coordinates, 0)
+    pub(crate) fn of_points<const N: usize, const M: usize>(
+        points: [[f64; N]; M],
+    ) -> Option<[[i64; N]; M]> {
+        Self::with_top(exponent(points.as_flattened()))?.points(points)
     }
 
-    /// The coordinates on a grid, with weights that are multiples of the square of its step and
-    /// below 2^123 of those squares.
+    /// As [`Grid::of_points`], with weights in units of the square of the grid's, below 2^123.
     #[inline]
-    pub(crate) fn with_weights<const M: usize>(
-        coordinates: [f64; N],
+    pub(crate) fn of_weighted_points<const N: usize, const M: usize>(
+        points: [[f64; N]; M],
         weights: [f64; M],
-    ) -> Option<(Self, [i128; M])> {
-        let heaviest = (exponent(weights) - 1024).div_euclid(2) + 1023;
-        let grid = Self::with_least_top(coordinates, heaviest)?;
+    ) -> Option<([[i64; N]; M], [i128; M])> {
+        let heaviest = (exponent(&weights) - 1024).div_euclid(2) + 1023;
+        let grid = Self::with_top(exponent(points.as_flattened()).max(heaviest))?;
         let scaled = weights.map(|weight| weight * (grid.scale * grid.scale));
         let integers = scaled.map(|weight| weight as i128);
         let fits = |(&integer, &weight): (&i128, &f64)| {
             integer as f64 == weight && weight.abs() < power_of_two(123)
         };
-        integers
-            .iter()
-            .zip(&scaled)
-            .all(fits)
-            .then_some((grid, integers))
+        let weights = integers.iter().zip(&scaled).all(fits).then_some(integers)?;
+        Some((grid.points(points)?, weights))
+    }
+
+    /// The grid for doubles of biased exponent at most `top`, unless that is beyond the accepted
+    /// range.
+    #[inline]
+    fn with_top(top: i64) -> Option<Self> {
+        let top = (top - 1023).max(-142);
+        (top <= 202).then(|| Self {
+            scale: power_of_two(60 - top),
+        })
     }
 
     #[inline]
-    fn with_least_top(coordinates: [f64; N], least: i64) -> Option<Self> {
-        let top = exponent(coordinates).max(least).max(1023 - 142);
-        if top > 1023 + 202 {
-            return None;
-        }
-        let scale = power_of_two(1023 + 60 - top);
-        let scaled = coordinates.map(|coordinate| coordinate * scale);
-        let integers = scaled.map(|coordinate| coordinate as i64);
-        let exact = integers.iter().zip(&scaled).all(|(&i, &x)| i as f64 == x);
-        exact.then_some(Self { integers, scale })
+    fn points<const N: usize, const M: usize>(
+        &self,
+        points: [[f64; N]; M],
+    ) -> Option<[[i64; N]; M]> {
+        let mut exact = true;
+        let integers = points.map(|point| {
+            point.map(|coordinate| {
+                let scaled = coordinate * self.scale;
+                let integer = scaled as i64;
+                exact &= integer as f64 == scaled;
+                integer
+            })
+        });
+        exact.then_some(integers)
     }
 }
 
 /// Greatest biased exponent of the values: 1023 for `[1, 2)`, 0 for zero, 2047 for NaN.
 #[inline]
-fn exponent<const N: usize>(values: [f64; N]) -> i64 {
-    let bits = values.map(|value| value.to_bits() & (u64::MAX >> 1));
-    (bits.into_iter().fold(0, u64::max) >> 52) as i64
+fn exponent(values: &[f64]) -> i64 {
+    let bits = values.iter().map(|value| value.to_bits() & (u64::MAX >> 1));
+    (bits.fold(0, u64::max) >> 52) as i64
 }
 
 /// Coordinate differences `a - b`.
@@ -91,30 +102,40 @@ mod tests {
 
     #[test]
     fn numbers_within_sixty_one_bits_of_each_other_fit() {
-        let grid = Grid::of([1.0, -0.0, -power_of_two(-60)]).unwrap();
-        assert_eq!(grid.integers, [1 << 60, 0, -1]);
-        assert!(Grid::of([1.0, power_of_two(-61)]).is_none());
-        assert_eq!(Grid::of([0.0]).unwrap().integers, [0]);
+        let points = [[1.0, -0.0], [-power_of_two(-60), 1.0]];
+        assert_eq!(Grid::of_points(points), Some([[1 << 60, 0], [-1, 1 << 60]]));
+        assert_eq!(Grid::of_points([[1.0, power_of_two(-61)]]), None);
+        assert_eq!(Grid::of_points([[0.0]]), Some([[0]]));
         let most = 2.0f64.next_down();
-        assert_eq!(Grid::of([most]).unwrap().integers, [(1 << 61) - (1 << 8)]);
+        assert_eq!(Grid::of_points([[most]]), Some([[(1 << 61) - (1 << 8)]]));
     }
 
     #[test]
     fn numbers_that_are_not_finite_do_not_fit() {
-        for value in [f64::NAN, f64::INFINITY, -f64::INFINITY, f64::MAX] {
-            assert!(Grid::of([1.0, value]).is_none());
-            assert!(Grid::with_weights([1.0], [value]).is_none());
+        for value in [
+            f64::NAN,
+            f64::INFINITY,
+            -f64::INFINITY,
+            f64::MAX,
+            f64::MIN_POSITIVE,
+        ] {
+            assert_eq!(Grid::of_points([[0.0, value]]), None);
+            assert_eq!(Grid::of_weighted_points([[1.0]], [value]), None);
         }
-        assert!(Grid::of([f64::MIN_POSITIVE]).is_none());
     }
 
     #[test]
     fn weights_share_the_grid() {
-        let (grid, weights) = Grid::with_weights([1.0], [-0.5, 0.0, 3.0]).unwrap();
-        assert_eq!(grid.integers, [1 << 60]);
-        assert_eq!(weights, [-1 << 119, 0, 3 << 120]);
-        let (_, weights) = Grid::with_weights([0.0], [16.0f64.next_down()]).unwrap();
-        assert!((1 << 121..1 << 123).contains(&weights[0]));
-        assert!(Grid::with_weights([1.0], [power_of_two(-130)]).is_none());
+        let found = Grid::of_weighted_points([[1.0], [0.0], [0.0]], [-0.5, 0.0, 3.0]);
+        assert_eq!(
+            found,
+            Some(([[1 << 60], [0], [0]], [-1 << 119, 0, 3 << 120]))
+        );
+        let (_, [weight]) = Grid::of_weighted_points([[0.0]], [16.0f64.next_down()]).unwrap();
+        assert!((1 << 121..1 << 123).contains(&weight));
+        assert_eq!(
+            Grid::of_weighted_points([[1.0]], [power_of_two(-130)]),
+            None
+        );
     }
 }

@@ -4,6 +4,7 @@ use crate::filter::{Filter2, Filter3, Relative2, Relative3};
 use crate::grid::{Grid, cross, dot, minus};
 use crate::orient::{coord, coord3, volume};
 use crate::sign::Sign;
+use crate::statistics::{Predicate, Stage, record};
 use crate::wide::Wide;
 use glam::{DVec2, DVec3};
 
@@ -38,27 +39,27 @@ pub fn in_sphere(a: DVec3, b: DVec3, c: DVec3, d: DVec3, e: DVec3) -> Sign {
 #[cold]
 #[inline(never)]
 fn exact_in_circle(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Sign {
-    let Some(grid) = Grid::of([a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y]) else {
+    let points = [a, b, c, d].map(|point| point.to_array());
+    let Some([a, b, c, d]) = Grid::of_points(points) else {
+        record(Predicate::InCircle, Stage::Unbounded);
         return Sign::of(robust::incircle(coord(a), coord(b), coord(c), coord(d)));
     };
-    let [ax, ay, bx, by, cx, cy, dx, dy] = grid.integers;
-    let rows = [[ax, ay], [bx, by], [cx, cy]].map(|corner| minus(corner, [dx, dy]));
+    record(Predicate::InCircle, Stage::Grid);
+    let rows = [a, b, c].map(|corner| minus(corner, d));
     below_plane(rows, rows.map(|row| dot(row, row)))
 }
 
 #[cold]
 #[inline(never)]
 fn exact_in_sphere(a: DVec3, b: DVec3, c: DVec3, d: DVec3, e: DVec3) -> Sign {
-    let coordinates = [
-        a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z,
-    ];
-    let Some(grid) = Grid::of(coordinates) else {
+    let points = [a, b, c, d, e].map(|point| point.to_array());
+    let Some([a, b, c, d, e]) = Grid::of_points(points) else {
+        record(Predicate::InSphere, Stage::Unbounded);
         let [a, b, c, d, e] = [a, b, c, d, e].map(coord3);
         return -Sign::of(robust::insphere(a, b, c, d, e));
     };
-    let [ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz, ex, ey, ez] = grid.integers;
-    let corners = [[ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]];
-    let rows = corners.map(|corner| minus(corner, [ex, ey, ez]));
+    record(Predicate::InSphere, Stage::Grid);
+    let rows = [a, b, c, d].map(|corner| minus(corner, e));
     below_hyperplane(rows, rows.map(|row| dot(row, row)))
 }
 

@@ -3,8 +3,10 @@
 pub mod coordinate;
 pub mod filter;
 pub mod perturb;
+pub mod statistics;
 
 mod diametral;
+mod few_bits;
 mod grid;
 mod in_ball;
 mod orient;

@@ -3,6 +3,7 @@
 use crate::filter::{Filter2, Filter3, Relative3};
 use crate::grid::{Grid, cross, minus};
 use crate::sign::Sign;
+use crate::statistics::{Predicate, Stage, record};
 use crate::wide::Wide;
 use glam::{DVec2, DVec3};
 use robust::{Coord, Coord3D};
@@ -36,23 +37,25 @@ pub fn orient3d(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> Sign {
 #[cold]
 #[inline(never)]
 fn exact_orient2d(a: DVec2, b: DVec2, c: DVec2) -> Sign {
-    let Some(grid) = Grid::of([a.x, a.y, b.x, b.y, c.x, c.y]) else {
+    let points = [a, b, c].map(|point| point.to_array());
+    let Some([a, b, c]) = Grid::of_points(points) else {
+        record(Predicate::Orient2d, Stage::Unbounded);
         return Sign::of(robust::orient2d(coord(a), coord(b), coord(c)));
     };
-    let [ax, ay, bx, by, cx, cy] = grid.integers;
-    let c = [cx, cy];
-    Wide::from(cross(minus([ax, ay], c), minus([bx, by], c))).sign()
+    record(Predicate::Orient2d, Stage::Grid);
+    Wide::from(cross(minus(a, c), minus(b, c))).sign()
 }
 
 #[cold]
 #[inline(never)]
 fn exact_orient3d(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> Sign {
-    let Some(grid) = Grid::of([a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z]) else {
+    let points = [a, b, c, d].map(|point| point.to_array());
+    let Some([a, b, c, d]) = Grid::of_points(points) else {
+        record(Predicate::Orient3d, Stage::Unbounded);
         return -Sign::of(robust::orient3d(coord3(a), coord3(b), coord3(c), coord3(d)));
     };
-    let [ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz] = grid.integers;
-    let d = [dx, dy, dz];
-    let [a, b, c] = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]].map(|corner| minus(corner, d));
+    record(Predicate::Orient3d, Stage::Grid);
+    let [a, b, c] = [a, b, c].map(|corner| minus(corner, d));
     (-volume([a, b, c], [cross(b, c), cross(c, a), cross(a, b)])).sign()
 }
 

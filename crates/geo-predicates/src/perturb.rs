@@ -14,6 +14,7 @@ use crate::in_ball::{in_circle, in_sphere};
 use crate::orient::{orient2d, orient3d};
 use crate::power::{WeightedPoint2, WeightedPoint3, power_circle, power_sphere};
 use crate::sign::Sign;
+use crate::statistics::{Predicate, Stage, record};
 use glam::{DVec2, DVec3};
 use std::cmp::Ordering;
 
@@ -99,7 +100,9 @@ pub fn in_sphere_perturbed(a: DVec3, b: DVec3, c: DVec3, d: DVec3, e: DVec3) -> 
 #[must_use]
 pub fn in_circle_perturbed_by<K: Copy + Ord>(points: [DVec2; 4], keys: [K; 4]) -> bool {
     let [a, b, c, d] = points;
-    decide(in_circle(a, b, c, d), || tie2(points, keys))
+    decide(Predicate::InCircle, in_circle(a, b, c, d), || {
+        tie2(points, keys)
+    })
 }
 
 /// [`in_sphere_perturbed`] of `[a, b, c, d, e]` with the caller's keys, such as ids.
@@ -109,7 +112,9 @@ pub fn in_circle_perturbed_by<K: Copy + Ord>(points: [DVec2; 4], keys: [K; 4]) -
 #[must_use]
 pub fn in_sphere_perturbed_by<K: Copy + Ord>(points: [DVec3; 5], keys: [K; 5]) -> bool {
     let [a, b, c, d, e] = points;
-    decide(in_sphere(a, b, c, d, e), || tie3(points, keys))
+    decide(Predicate::InSphere, in_sphere(a, b, c, d, e), || {
+        tie3(points, keys)
+    })
 }
 
 /// [`power_circle`] with ties broken by the lexicographic key: whether `d` is in conflict.
@@ -142,7 +147,7 @@ pub fn power_sphere_perturbed(
 #[must_use]
 pub fn power_circle_perturbed_by<K: Copy + Ord>(points: [WeightedPoint2; 4], keys: [K; 4]) -> bool {
     let [a, b, c, d] = points;
-    decide(power_circle(a, b, c, d), || {
+    decide(Predicate::PowerCircle, power_circle(a, b, c, d), || {
         tie2(points.map(|p| p.point), keys)
     })
 }
@@ -151,7 +156,7 @@ pub fn power_circle_perturbed_by<K: Copy + Ord>(points: [WeightedPoint2; 4], key
 #[must_use]
 pub fn power_sphere_perturbed_by<K: Copy + Ord>(points: [WeightedPoint3; 5], keys: [K; 5]) -> bool {
     let [a, b, c, d, e] = points;
-    decide(power_sphere(a, b, c, d, e), || {
+    decide(Predicate::PowerSphere, power_sphere(a, b, c, d, e), || {
         tie3(points.map(|p| p.point), keys)
     })
 }
@@ -175,11 +180,14 @@ pub fn cocircular_inside<K: Copy + Ord>(a: K, b: K, apex: K, p: K) -> bool {
 }
 
 #[inline]
-fn decide(sign: Sign, tie: impl FnOnce() -> bool) -> bool {
+fn decide(predicate: Predicate, sign: Sign, tie: impl FnOnce() -> bool) -> bool {
     match sign {
         Sign::Positive => true,
         Sign::Negative => false,
-        Sign::Zero => tie(),
+        Sign::Zero => {
+            record(predicate, Stage::Tie);
+            tie()
+        }
     }
 }
 

@@ -3,8 +3,12 @@
 //! A point `p` of weight `w` is a circle (sphere) of squared radius `w` round `p`, lifted to the
 //! height `|p|^2 - w`. With equal weights the tests are those of `in_circle` and `in_sphere`.
 
+use crate::filter;
+use crate::grid::{self, Grid};
+use crate::in_ball::{below_hyperplane, below_plane};
 use crate::sign::Sign;
-use crate::unbounded::{cross, det3, dot, least_exponent, minus, scaled, sign};
+use crate::statistics::{Predicate, Stage, record};
+use crate::unbounded::{cross, det3, dot, integers_and_weights, minus, sign};
 use glam::{DVec2, DVec3};
 use num_bigint::BigInt;
 
@@ -38,18 +42,8 @@ pub fn power_circle(
     c: WeightedPoint2,
     d: WeightedPoint2,
 ) -> Sign {
-    let corners = [a, b, c, d];
-    let exponent = common_exponent(
-        &corners.map(|p| p.point.to_array()).concat(),
-        &corners.map(|p| p.weight),
-    );
-    let points = corners.map(|p| scaled(p.point.to_array(), exponent));
-    let weights = scaled(corners.map(|p| p.weight), 2 * exponent);
-    let rows: [[BigInt; 2]; 3] = std::array::from_fn(|i| minus(&points[i], &points[3]));
-    let lifts: [BigInt; 3] =
-        std::array::from_fn(|i| dot(&rows[i], &rows[i]) - (&weights[i] - &weights[3]));
-    let area = |i: usize, j: usize| cross([&rows[i][0], &rows[i][1]], [&rows[j][0], &rows[j][1]]);
-    sign(&(&lifts[0] * area(1, 2) + &lifts[1] * area(2, 0) + &lifts[2] * area(0, 1)))
+    let corners = [a, b, c].map(|corner| (corner.point - d.point, corner.weight - d.weight));
+    filter::power_circle(corners).unwrap_or_else(|| exact_power_circle([a, b, c, d]))
 }
 
 /// Side of the sphere orthogonal to the right-handed `a`, `b`, `c`, `d` on which `e` lies.
@@ -64,16 +58,40 @@ pub fn power_sphere(
     d: WeightedPoint3,
     e: WeightedPoint3,
 ) -> Sign {
-    let corners = [a, b, c, d, e];
-    let exponent = common_exponent(
-        &corners.map(|p| p.point.to_array()).concat(),
-        &corners.map(|p| p.weight),
-    );
-    let points = corners.map(|p| scaled(p.point.to_array(), exponent));
-    let weights = scaled(corners.map(|p| p.weight), 2 * exponent);
-    let rows: [[BigInt; 3]; 4] = std::array::from_fn(|i| minus(&points[i], &points[4]));
-    let lifts: [BigInt; 4] =
-        std::array::from_fn(|i| dot(&rows[i], &rows[i]) - (&weights[i] - &weights[4]));
+    let corners = [a, b, c, d].map(|corner| (corner.point - e.point, corner.weight - e.weight));
+    filter::power_sphere(corners).unwrap_or_else(|| exact_power_sphere([a, b, c, d, e]))
+}
+
+#[cold]
+#[inline(never)]
+fn exact_power_circle(corners: [WeightedPoint2; 4]) -> Sign {
+    let points = corners.map(|corner| corner.point.to_array());
+    let weights = corners.map(|corner| corner.weight);
+    if let Some((points, weights)) = Grid::of_weighted_points(points, weights) {
+        let (rows, lifts) = grid_rows::<2, 4, 3>(points, weights);
+        record(Predicate::PowerCircle, Stage::Grid);
+        return below_plane(rows, lifts);
+    }
+    record(Predicate::PowerCircle, Stage::Unbounded);
+    let (points, weights) = integers_and_weights(points, weights);
+    let (rows, lifts) = integer_rows::<2, 4, 3>(&points, &weights);
+    let area = |i: usize, j: usize| cross(&rows[i], &rows[j]);
+    sign(&(&lifts[0] * area(1, 2) + &lifts[1] * area(2, 0) + &lifts[2] * area(0, 1)))
+}
+
+#[cold]
+#[inline(never)]
+fn exact_power_sphere(corners: [WeightedPoint3; 5]) -> Sign {
+    let points = corners.map(|corner| corner.point.to_array());
+    let weights = corners.map(|corner| corner.weight);
+    if let Some((points, weights)) = Grid::of_weighted_points(points, weights) {
+        let (rows, lifts) = grid_rows::<3, 5, 4>(points, weights);
+        record(Predicate::PowerSphere, Stage::Grid);
+        return below_hyperplane(rows, lifts);
+    }
+    record(Predicate::PowerSphere, Stage::Unbounded);
+    let (points, weights) = integers_and_weights(points, weights);
+    let (rows, lifts) = integer_rows::<3, 5, 4>(&points, &weights);
     let volume = |i: usize, j: usize, k: usize| det3(&rows[i], &rows[j], &rows[k]);
     let below = &lifts[0] * volume(1, 2, 3) - &lifts[1] * volume(0, 2, 3)
         + &lifts[2] * volume(0, 1, 3)
@@ -81,9 +99,25 @@ pub fn power_sphere(
     sign(&below)
 }
 
-/// Greatest exponent that divides all coordinates, and twice which divides all weights.
-fn common_exponent(coordinates: &[f64], weights: &[f64]) -> i32 {
-    least_exponent(coordinates).min(least_exponent(weights).div_euclid(2))
+/// Vectors from the last of `M` points to the `R = M - 1` others, and their weighted lifts.
+fn grid_rows<const N: usize, const M: usize, const R: usize>(
+    points: [[i64; N]; M],
+    weights: [i128; M],
+) -> ([[i64; N]; R], [i128; R]) {
+    let rows: [[i64; N]; R] = std::array::from_fn(|i| grid::minus(points[i], points[R]));
+    let lift = |i: usize| grid::dot(rows[i], rows[i]) - (weights[i] - weights[R]);
+    (rows, std::array::from_fn(lift))
+}
+
+/// As [`grid_rows`], for integers of any length.
+fn integer_rows<const N: usize, const M: usize, const R: usize>(
+    points: &[[BigInt; N]; M],
+    weights: &[BigInt; M],
+) -> ([[BigInt; N]; R], [BigInt; R]) {
+    let rows: [[BigInt; N]; R] = std::array::from_fn(|i| minus(&points[i], &points[R]));
+    let lift = |i: usize| dot(&rows[i], &rows[i]) - (&weights[i] - &weights[R]);
+    let lifts = std::array::from_fn(lift);
+    (rows, lifts)
 }
 
 #[cfg(test)]

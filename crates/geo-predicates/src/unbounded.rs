@@ -5,23 +5,33 @@
 use crate::sign::Sign;
 use num_bigint::{BigInt, Sign as BigSign};
 
-/// `values` divided by one common power of two that makes all of them integers.
+/// The coordinates divided by one common power of two that makes all of them integers.
 ///
-/// Not finite values count as zero.
-pub(crate) fn integers<const N: usize>(values: [f64; N]) -> [BigInt; N] {
-    scaled(values, least_exponent(&values))
+/// Coordinates that are not finite count as zero.
+pub(crate) fn integers<const N: usize, const M: usize>(points: [[f64; N]; M]) -> [[BigInt; N]; M] {
+    let exponent = least_exponent(points.as_flattened());
+    points.map(|point| point.map(|value| scaled(value, exponent)))
 }
 
-/// `values` divided by 2^`exponent`, which must divide them.
-pub(crate) fn scaled<const N: usize>(values: [f64; N], exponent: i32) -> [BigInt; N] {
-    values.map(|value| {
-        let (mantissa, own) = decode(value);
-        BigInt::from(mantissa) << (own - exponent).max(0) as usize
-    })
+/// As [`integers`], with weights divided by the square of that power of two.
+pub(crate) fn integers_and_weights<const N: usize, const M: usize>(
+    points: [[f64; N]; M],
+    weights: [f64; M],
+) -> ([[BigInt; N]; M], [BigInt; M]) {
+    let lightest = least_exponent(&weights).div_euclid(2);
+    let exponent = least_exponent(points.as_flattened()).min(lightest);
+    let points = points.map(|point| point.map(|value| scaled(value, exponent)));
+    (points, weights.map(|weight| scaled(weight, 2 * exponent)))
+}
+
+/// `value` divided by 2^`exponent`, which must divide it.
+fn scaled(value: f64, exponent: i32) -> BigInt {
+    let (mantissa, own) = decode(value);
+    BigInt::from(mantissa) << (own - exponent).max(0) as usize
 }
 
 /// Exponent of the least significant bit that some of the values has; 0 if all are zero.
-pub(crate) fn least_exponent(values: &[f64]) -> i32 {
+fn least_exponent(values: &[f64]) -> i32 {
     let exponents = values.iter().map(|&value| decode(value));
     exponents
         .filter(|part| part.0 != 0)
@@ -59,9 +69,9 @@ pub(crate) fn sign(value: &BigInt) -> Sign {
     }
 }
 
-/// `a x - b y`.
-pub(crate) fn cross(a: [&BigInt; 2], b: [&BigInt; 2]) -> BigInt {
-    a[0] * b[1] - a[1] * b[0]
+/// `a x - b y` of vectors of the plane.
+pub(crate) fn cross(a: &[BigInt; 2], b: &[BigInt; 2]) -> BigInt {
+    &a[0] * &b[1] - &a[1] * &b[0]
 }
 
 /// Inner product.
@@ -76,7 +86,7 @@ pub(crate) fn minus<const N: usize>(a: &[BigInt; N], b: &[BigInt; N]) -> [BigInt
 
 /// Determinant of the rows `a`, `b`, `c`.
 pub(crate) fn det3(a: &[BigInt; 3], b: &[BigInt; 3], c: &[BigInt; 3]) -> BigInt {
-    let minor = |i: usize, j: usize| cross([&b[i], &b[j]], [&c[i], &c[j]]);
+    let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
     &a[0] * minor(1, 2) - &a[1] * minor(0, 2) + &a[2] * minor(0, 1)
 }
 
@@ -109,7 +119,7 @@ mod tests {
     fn integers_share_one_scale() {
         let big = |x: i64| BigInt::from(x);
         assert_eq!(
-            integers([0.5, 0.0, -3.0]).map(|x| x % (1i64 << 60)),
+            integers([[0.5, 0.0, -3.0]])[0],
             [big(1 << 52), big(0), big(-6 << 52)]
         );
     }

@@ -5,11 +5,11 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 /// Number of queries of one kind: enough to defeat the branch predictor, small enough for the cache.
-pub const QUERIES: usize = 2048;
+pub(crate) const QUERIES: usize = 2048;
 
 /// How near to degenerate the queries are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub(crate) enum Kind {
     /// Uniform in the unit square or cube.
     Generic,
     /// On a small lattice, degenerate.
@@ -21,10 +21,10 @@ pub enum Kind {
 }
 
 /// All kinds, in the order of the tables.
-pub const KINDS: [Kind; 4] = [Kind::Generic, Kind::Zero, Kind::Tenths, Kind::Ulps];
+pub(crate) const KINDS: [Kind; 4] = [Kind::Generic, Kind::Zero, Kind::Tenths, Kind::Ulps];
 
 /// `N` points of the plane per query: on a line (`N` = 3) or circle (`N` = 4) unless generic.
-pub fn planar<const N: usize>(kind: Kind) -> Vec<[DVec2; N]> {
+pub(crate) fn planar<const N: usize>(kind: Kind) -> Vec<[DVec2; N]> {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     let query = |_| {
         let center = DVec2::new(
@@ -42,7 +42,7 @@ pub fn planar<const N: usize>(kind: Kind) -> Vec<[DVec2; N]> {
 }
 
 /// `N` points of space per query: on a plane (`N` = 4) or sphere (`N` = 5) unless generic.
-pub fn spatial<const N: usize>(kind: Kind) -> Vec<[DVec3; N]> {
+pub(crate) fn spatial<const N: usize>(kind: Kind) -> Vec<[DVec3; N]> {
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     let query = |_| {
         let center = DVec3::from_array(std::array::from_fn(|_| rng.random_range(20..40) as f64));
