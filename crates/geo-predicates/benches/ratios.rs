@@ -1,23 +1,19 @@
-//! Times of `robust`, called directly, over times of this crate: interleaved rounds, medians.
-#![allow(missing_docs)]
+//! Times of `robust`, called directly, over times of this crate, in one table: rounds of the two
+//! interleaved, medians of the rounds.
 
 mod inputs;
 
-use geo_predicates::{DVec2, DVec3, Sign};
-use inputs::{KINDS, planar, spatial};
-use robust::{Coord, Coord3D};
+use geo_predicates::Sign;
+use inputs::{Kind, QUERIES, flat, solid};
 use std::hint::black_box;
 use std::time::Instant;
 
 const ROUNDS: usize = 41;
 
 fn main() {
-    println!(
-        "{:<10} {:<8} {:>10} {:>10} {:>7}",
-        "predicate", "input", "robust ns", "ours ns", "ratio"
-    );
-    for kind in KINDS {
-        let queries = planar::<3>(kind);
+    println!("predicate    input    robust ns   ours ns  ratio");
+    for kind in inputs::KINDS {
+        let queries = inputs::planar(kind);
         row(
             "orient2d",
             kind,
@@ -25,7 +21,7 @@ fn main() {
             |&[a, b, c]| robust::orient2d(flat(a), flat(b), flat(c)),
             |&[a, b, c]| geo_predicates::orient2d(a, b, c),
         );
-        let queries = planar::<4>(kind);
+        let queries = inputs::planar(kind);
         row(
             "in_circle",
             kind,
@@ -33,7 +29,7 @@ fn main() {
             |&[a, b, c, d]| robust::incircle(flat(a), flat(b), flat(c), flat(d)),
             |&[a, b, c, d]| geo_predicates::in_circle(a, b, c, d),
         );
-        let queries = spatial::<4>(kind);
+        let queries = inputs::spatial(kind);
         row(
             "orient3d",
             kind,
@@ -41,7 +37,7 @@ fn main() {
             |&[a, b, c, d]| -robust::orient3d(solid(a), solid(b), solid(c), solid(d)),
             |&[a, b, c, d]| geo_predicates::orient3d(a, b, c, d),
         );
-        let queries = spatial::<5>(kind);
+        let queries = inputs::spatial(kind);
         row(
             "in_sphere",
             kind,
@@ -54,7 +50,7 @@ fn main() {
 
 fn row<Q>(
     name: &str,
-    kind: inputs::Kind,
+    kind: Kind,
     queries: &[Q],
     theirs: impl Fn(&Q) -> f64,
     ours: impl Fn(&Q) -> Sign,
@@ -62,52 +58,41 @@ fn row<Q>(
     for query in queries {
         assert_eq!(Sign::of(theirs(query)), ours(query), "{name}, {kind:?}");
     }
-    let repeats = if kind == inputs::Kind::Generic { 40 } else { 4 };
-    let mut times = [Vec::new(), Vec::new()];
-    for _ in 0..ROUNDS {
-        times[0].push(seconds(repeats, || {
-            queries
-                .iter()
-                .map(|q| {
-                    i64::from({
-                        let d = theirs(q);
-                        d > 0.0
-                    }) - 0
-                })
-                .sum()
-        }));
-        times[1].push(seconds(repeats, || {
-            queries.iter().map(|q| ours(q) as i64).sum()
-        }));
-    }
-    let each = 1e9 / (repeats * queries.len()) as f64;
-    let [theirs, ours] = times.map(|mut times| {
-        times.sort_by(f64::total_cmp);
-        times[ROUNDS / 2] * each
+    let repeats = if kind == Kind::Generic { 40 } else { 4 };
+    let count = |positive: usize| black_box(positive);
+    let rounds = (0..ROUNDS).map(|_| {
+        let theirs = seconds(repeats, || {
+            count(queries.iter().filter(|query| theirs(query) > 0.0).count())
+        });
+        let ours = seconds(repeats, || {
+            count(
+                queries
+                    .iter()
+                    .filter(|query| ours(query) == Sign::Positive)
+                    .count(),
+            )
+        });
+        (theirs, ours)
     });
+    let (theirs, ours): (Vec<f64>, Vec<f64>) = rounds.unzip();
+    let [theirs, ours] =
+        [theirs, ours].map(|times| median(times) * 1e9 / (repeats * QUERIES) as f64);
+    let kind = format!("{kind:?}");
     println!(
-        "{name:<10} {:<8} {theirs:>10.2} {ours:>10.2} {:>7.2}",
-        format!("{kind:?}"),
+        "{name:<12} {kind:<8} {theirs:>9.2} {ours:>9.2} {:>6.2}",
         theirs / ours
     );
 }
 
-fn seconds(repeats: usize, work: impl Fn() -> i64) -> f64 {
+fn seconds(repeats: usize, work: impl Fn() -> usize) -> f64 {
     let start = Instant::now();
     for _ in 0..repeats {
-        black_box(work());
+        work();
     }
     start.elapsed().as_secs_f64()
 }
 
-fn flat(p: DVec2) -> Coord<f64> {
-    Coord { x: p.x, y: p.y }
-}
-
-fn solid(p: DVec3) -> Coord3D<f64> {
-    Coord3D {
-        x: p.x,
-        y: p.y,
-        z: p.z,
-    }
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[ROUNDS / 2]
 }

@@ -3,6 +3,7 @@
 use geo_predicates::{DVec2, DVec3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use robust::{Coord, Coord3D};
 
 /// Number of queries of one kind: enough to defeat the branch predictor, small enough for the cache.
 pub(crate) const QUERIES: usize = 2048;
@@ -88,5 +89,19 @@ fn disturb(kind: Kind, x: f64, rng: &mut ChaCha8Rng) -> f64 {
         Kind::Generic | Kind::Zero => x,
         Kind::Tenths => x * 0.1,
         Kind::Ulps => x * 0.1 * (1.0 + rng.random_range(-2..=2) as f64 * f64::EPSILON),
+    }
+}
+
+/// A point as `robust` wants it.
+pub(crate) fn flat(p: DVec2) -> Coord<f64> {
+    Coord { x: p.x, y: p.y }
+}
+
+/// A point as `robust` wants it.
+pub(crate) fn solid(p: DVec3) -> Coord3D<f64> {
+    Coord3D {
+        x: p.x,
+        y: p.y,
+        z: p.z,
     }
 }
