@@ -14,6 +14,7 @@ use crate::error::BuildError;
 use crate::ids::{HalfEdgeId, VertexId};
 use crate::order::insertion_order;
 use crate::progress::{Meter, Progress, silent};
+use geo_predicates::filter::Filter2;
 use geo_predicates::{Sign, check_points2, orient2d};
 use glam::DVec2;
 use std::ops::ControlFlow;
@@ -74,6 +75,7 @@ impl Delaunay2 {
         mesh.faces.reserve_exact(2 * coords.len());
         glue_triangle(&mut mesh, triangle);
         Self {
+            filter: Filter2::for_points(&coords[1..]),
             coords,
             mesh,
             duplicates: Duplicates::default(),
@@ -101,10 +103,10 @@ impl Delaunay2 {
             match self.seed(self.walk(p, start)) {
                 Err(vertex) => duplicates.push((v, vertex)),
                 Ok(seed) => {
-                    self.dig(p, seed, &mut cavity);
-                    self.mesh.fill(&mut cavity, v);
                     let next = self.coords.get(slot + 1).copied().unwrap_or(p);
-                    start = self.aim(&cavity, p, next);
+                    self.dig(p, seed, next, &mut cavity);
+                    self.mesh.fill(&mut cavity, v);
+                    start = self.next_start(&cavity);
                 }
             }
         }
@@ -112,27 +114,11 @@ impl Delaunay2 {
         Ok(duplicates)
     }
 
-    /// The outer side of the new star at `p` towards `next`: where the next walk starts.
-    ///
-    /// Rounding does no harm here, the walk is exact. Rim vertices that are not numbers, the
-    /// ghost, fail every comparison, so that a real face is chosen.
-    fn aim(&self, cavity: &Cavity, p: DVec2, next: DVec2) -> HalfEdgeId {
-        let towards = next - p;
-        let mut aimed = None;
-        let mut fallback = HalfEdgeId::new(0);
-        let mut ends = cavity.vertices().skip(1).chain(cavity.vertices().take(1));
-        for (&f, start) in cavity.faces().iter().zip(cavity.vertices()) {
-            let end = ends.next().unwrap_or(start);
-            let side = |v| towards.perp_dot(self.point_of(v) - p);
-            let (right, left) = (side(start), side(end));
-            if right <= 0.0 && left > 0.0 {
-                aimed = Some(f.half_edge(1));
-            }
-            if right.is_finite() && left.is_finite() {
-                fallback = f.half_edge(1);
-            }
-        }
-        aimed.unwrap_or(fallback)
+    /// The outer side of the new star at which it is aimed: where the next walk starts.
+    #[inline(always)]
+    fn next_start(&self, star: &Cavity) -> HalfEdgeId {
+        let aimed = star.faces.get(star.aimed);
+        aimed.map_or(HalfEdgeId::new(0), |f| self.real_side(f.half_edge(1)))
     }
 
     /// Passes from numbers in insertion order to the caller's; of equal points the smallest
@@ -149,13 +135,11 @@ impl Delaunay2 {
             .into_iter()
             .map(|(duplicate, vertex)| (names[duplicate.slot()], names[vertex.slot()]));
         self.duplicates = Duplicates::from_pairs(named.collect());
-        for face in &mut self.mesh.faces {
-            face.origin = face.origin.map(|v| names[v.slot()]);
-        }
-        let input = points.iter().map(|&p| p + DVec2::ZERO);
-        self.coords.splice(1.., input);
-        self.mesh.outgoing = vec![HalfEdgeId::NONE; self.coords.len()];
-        self.mesh.index_vertices();
+        self.mesh.index_vertices(self.coords.len());
+        self.mesh.rename_vertices(&names);
+        self.coords
+            .splice(1.., points.iter().map(|&p| p + DVec2::ZERO));
+        self.filter = Filter2::GENERAL;
     }
 }
 

@@ -26,14 +26,14 @@ impl TriMesh {
         }
         let mut mesh = Self {
             faces: Vec::with_capacity(self.face_count()),
-            outgoing: vec![HalfEdgeId::NONE; self.outgoing.len()],
+            outgoing: Vec::new(),
         };
         for (corners, first) in order {
             let f = mesh.push_face(corners);
             mesh.faces[f.index()].twin =
                 [first, first.next(), first.prev()].map(|h| renamed[self.twin(h).index()]);
         }
-        mesh.index_vertices();
+        mesh.index_vertices(self.outgoing.len());
         mesh
     }
 

@@ -16,8 +16,10 @@
 //! with the open edge itself.
 
 use super::delaunay::Delaunay2;
+use super::sight::{Seen, Sight};
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use geo_predicates::{CoordinateError, Sign, in_circle_perturbed, orient2d};
+use geo_predicates::CoordinateError;
+use geo_predicates::filter::{Cross, Relative2};
 use glam::DVec2;
 
 /// One edge of the rim of a cavity, counterclockwise round it.
@@ -34,14 +36,20 @@ pub struct RimEdge {
 pub struct Cavity {
     pub(super) faces: Vec<FaceId>,
     pub(super) rim: Vec<RimEdge>,
+    /// The rim edge that seems to lie in the direction of the next point.
+    pub(super) aimed: usize,
+    /// Whether the end of the last rim edge seemed to be on the left of that direction.
+    left_before: bool,
     pending: Vec<PendingEdge>,
 }
 
 /// An edge that still has to be crossed or put on the rim; it starts where the one above ends.
 #[derive(Clone, Copy, Debug)]
 struct PendingEdge {
-    end: VertexId,
+    end: Seen,
     outer: HalfEdgeId,
+    /// Cross of the end and the start.
+    backwards: Cross,
 }
 
 impl Cavity {
@@ -64,17 +72,28 @@ impl Cavity {
         self.rim.iter().map(|edge| edge.origin)
     }
 
-    fn start(&mut self, seed: FaceId, delaunay: &Delaunay2) {
+    fn clear(&mut self) {
         self.faces.clear();
         self.rim.clear();
         self.pending.clear();
-        self.faces.push(seed);
-        for h in seed.half_edges().into_iter().rev() {
-            self.pending.push(PendingEdge {
-                end: delaunay.mesh.target(h),
-                outer: delaunay.mesh.twin(h),
-            });
+        self.aimed = 0;
+        self.left_before = true;
+    }
+
+    /// Puts an edge on the rim; `towards` is the next point as seen from this one.
+    ///
+    /// Rounding does no harm to the aim, the walk is exact.
+    #[inline(always)]
+    fn emit(&mut self, start: &Seen, edge: &PendingEdge, towards: &Relative2) {
+        let left = towards.cross(&edge.end.arm).seems_left();
+        if left && !self.left_before {
+            self.aimed = self.rim.len();
         }
+        self.left_before = left;
+        self.rim.push(RimEdge {
+            origin: start.vertex,
+            outer: edge.outer,
+        });
     }
 }
 
@@ -87,71 +106,58 @@ impl Delaunay2 {
     pub fn cavity(&self, p: DVec2) -> Result<Cavity, CoordinateError> {
         let mut cavity = Cavity::default();
         if let Ok(seed) = self.seed(self.locate(p)?) {
-            self.dig(p, seed, &mut cavity);
+            self.dig(p, seed, p, &mut cavity);
         }
         Ok(cavity)
     }
 
-    /// Fills `cavity` with the cavity of `p`, from a face `seed` known to be in it.
-    pub(super) fn dig(&self, p: DVec2, seed: FaceId, cavity: &mut Cavity) {
-        cavity.start(seed, self);
-        let mut start = self.mesh.face_vertices(seed)[0];
-        while let Some(edge) = cavity.pending.pop() {
-            let [base, right, left] = outer_half_edges(edge.outer);
-            let corners = self.mesh.face_vertices(base.face());
-            let apex = corners[left.corner()];
-            if self.in_conflict(corners, p) {
-                cavity.faces.push(base.face());
+    /// Fills `cavity` with the cavity of `p`, from a face `seed` known to be in it, and aims at `next`.
+    pub(super) fn dig(&self, p: DVec2, seed: FaceId, next: DVec2, cavity: &mut Cavity) {
+        let sight = self.sight(p);
+        let towards = Relative2::new(next, p);
+        let (mut start, mut edge) = self.open(&sight, seed, cavity);
+        loop {
+            let (left, right) = (edge.outer.prev(), edge.outer.next());
+            let face = &self.mesh.faces[edge.outer.face().index()];
+            let apex = sight.see(face.origin[left.corner()]);
+            if sight.in_conflict([&edge.end, &start, &apex], edge.backwards) {
+                cavity.faces.push(edge.outer.face());
                 cavity.pending.push(PendingEdge {
                     end: edge.end,
-                    outer: self.mesh.twin(left),
+                    outer: face.twin[left.corner()],
+                    backwards: edge.end.arm.cross(&apex.arm),
                 });
-                cavity.pending.push(PendingEdge {
+                edge = PendingEdge {
                     end: apex,
-                    outer: self.mesh.twin(right),
-                });
+                    outer: face.twin[right.corner()],
+                    backwards: apex.arm.cross(&start.arm),
+                };
             } else {
-                cavity.rim.push(RimEdge {
-                    origin: start,
-                    outer: base,
-                });
+                cavity.emit(&start, &edge, &towards);
                 start = edge.end;
+                match cavity.pending.pop() {
+                    Some(below) => edge = below,
+                    None => return,
+                }
             }
         }
     }
 
-    /// Whether the open circumdisk of the face with these corners contains `p`.
-    pub(super) fn in_conflict(&self, corners: [VertexId; 3], p: DVec2) -> bool {
-        let [a, b, c] = corners;
-        if a.is_ghost() {
-            self.ghost_conflict(b, c, p)
-        } else if b.is_ghost() {
-            self.ghost_conflict(c, a, p)
-        } else if c.is_ghost() {
-            self.ghost_conflict(a, b, p)
-        } else {
-            let [a, b, c] = corners.map(|v| self.point_of(v));
-            in_circle_perturbed(a, b, c, p)
-        }
+    /// Starts `cavity` with the face `seed` and its three edges; gives the start of the first edge and
+    /// that edge, the others wait.
+    #[inline(always)]
+    fn open(&self, sight: &Sight<'_>, seed: FaceId, cavity: &mut Cavity) -> (Seen, PendingEdge) {
+        cavity.clear();
+        cavity.faces.push(seed);
+        let face = &self.mesh.faces[seed.index()];
+        let [a, b, c] = face.origin.map(|v| sight.see(v));
+        let edge = |start: &Seen, end: Seen, outer: HalfEdgeId| PendingEdge {
+            end,
+            outer,
+            backwards: end.arm.cross(&start.arm),
+        };
+        cavity.pending.push(edge(&c, a, face.twin[2]));
+        cavity.pending.push(edge(&b, c, face.twin[1]));
+        (a, edge(&a, b, face.twin[0]))
     }
-
-    /// Whether `p` is strictly on the left of `a -> b`, where the ghost is, or strictly between.
-    fn ghost_conflict(&self, a: VertexId, b: VertexId, p: DVec2) -> bool {
-        let (a, b) = (self.point_of(a), self.point_of(b));
-        match orient2d(a, b, p) {
-            Sign::Positive => true,
-            Sign::Negative => false,
-            Sign::Zero => precedes(a, p) == precedes(p, b),
-        }
-    }
-}
-
-/// The half-edge itself, the one after it and the one before it.
-fn outer_half_edges(base: HalfEdgeId) -> [HalfEdgeId; 3] {
-    [base, base.next(), base.prev()]
-}
-
-/// Whether `a` comes before `b` in lexicographic order: along any line, one of its two directions.
-pub(super) fn precedes(a: DVec2, b: DVec2) -> bool {
-    (a.x, a.y) < (b.x, b.y)
 }

@@ -2,6 +2,7 @@
 
 use super::delaunay::Delaunay2;
 use super::mesh::TriMesh;
+use super::sight::precedes;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use geo_predicates::{Sign, orient2d};
 use thiserror::Error;
@@ -179,7 +180,7 @@ impl Delaunay2 {
         for (&half_edge, &next) in hull.iter().zip(following) {
             let [a, b] = [half_edge, next].map(|h| self.point_of(self.mesh.origin(h)));
             let c = self.point_of(self.mesh.target(next));
-            let straight_on = super::cavity::precedes(a, b) == super::cavity::precedes(b, c);
+            let straight_on = precedes(a, b) == precedes(b, c);
             let convex = match orient2d(a, b, c) {
                 Sign::Positive => true,
                 Sign::Zero => straight_on,
@@ -196,8 +197,10 @@ impl Delaunay2 {
         if vertex.is_ghost() || corners.contains(&VertexId::GHOST) {
             return Ok(());
         }
+        let sight = self.sight(self.point_of(vertex));
+        let [a, b, c] = corners.map(|v| sight.see(v));
         require(
-            !self.in_conflict(corners, self.point_of(vertex)),
+            !sight.exact_conflict([&a, &b, &c]),
             Violation::NotDelaunay { half_edge, vertex },
         )
     }

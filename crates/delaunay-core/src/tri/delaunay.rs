@@ -6,6 +6,7 @@ use super::cavity::Cavity;
 use super::duplicates::Duplicates;
 use super::mesh::TriMesh;
 use crate::ids::{FaceId, VertexId};
+use geo_predicates::filter::Filter2;
 use glam::DVec2;
 
 /// The Delaunay triangulation of points in the plane, not all on one line.
@@ -34,6 +35,8 @@ pub struct Delaunay2 {
     /// By vertex slot: the ghost in front, with coordinates that are not numbers.
     pub(super) coords: Vec<DVec2>,
     pub(super) mesh: TriMesh,
+    /// Quick signs, valid for `coords` and for any point that is asked about.
+    pub(super) filter: Filter2,
     pub(super) duplicates: Duplicates,
     /// Ids of removed vertices, the last removed on top.
     pub(super) vacant: Vec<VertexId>,

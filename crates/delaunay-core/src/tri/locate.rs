@@ -15,7 +15,7 @@
 
 use super::delaunay::Delaunay2;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use geo_predicates::{CoordinateError, Sign, orient2d};
+use geo_predicates::{CoordinateError, Sign};
 use glam::DVec2;
 
 /// Where a point is in a triangulation.
@@ -57,7 +57,7 @@ impl Delaunay2 {
         p: DVec2,
         hint: Option<VertexId>,
     ) -> Result<Location, CoordinateError> {
-        geo_predicates::check_points2(&[p])?;
+        geo_predicates::check_point2(0, p)?;
         let hinted = hint.and_then(|v| self.mesh.outgoing(v));
         let start = hinted.or_else(|| self.sampled_start(p));
         Ok(self.walk(p, self.real_side(start.unwrap_or(HalfEdgeId::new(0)))))
@@ -78,32 +78,43 @@ impl Delaunay2 {
     }
 
     /// `h`, or a half-edge of a triangle beside it when `h` bounds a ghost face.
-    fn real_side(&self, h: HalfEdgeId) -> HalfEdgeId {
+    pub(super) fn real_side(&self, h: HalfEdgeId) -> HalfEdgeId {
         let base = self.mesh.ghost_base(h.face());
         base.map_or(h, |base| self.mesh.twin(base))
     }
 
     /// Walks to `p` from `start`, a half-edge of a real face; its edge is tested first.
+    #[inline]
     pub(super) fn walk(&self, p: DVec2, start: HalfEdgeId) -> Location {
+        let sight = self.sight(p);
         let mut entry = start;
-        let mut beyond_entry = self.side(entry, p);
-        if beyond_entry == Sign::Negative {
+        let mut from = sight.see(self.mesh.origin(entry));
+        let mut to = sight.see(self.mesh.target(entry));
+        let mut side = sight.side(&from, &to);
+        if side == Sign::Negative {
             entry = self.mesh.twin(entry);
-            beyond_entry = Sign::Positive;
+            side = Sign::Positive;
+            std::mem::swap(&mut from, &mut to);
         }
         loop {
-            if self.mesh.apex(entry).is_ghost() {
+            let apex = self.mesh.apex(entry);
+            if apex.is_ghost() {
                 return Location::Outside(self.mesh.twin(entry));
             }
-            let sides = [entry.next(), entry.prev()].map(|h| (h, self.side(h, p)));
-            match sides.into_iter().find(|&(_, side)| side == Sign::Negative) {
-                Some((crossed, _)) => entry = self.mesh.twin(crossed),
-                None => {
-                    let [(_, ahead), (_, behind)] = sides;
-                    return self.settle(entry, [beyond_entry, ahead, behind]);
+            let apex = sight.see(apex);
+            let ahead = sight.side(&to, &apex);
+            if ahead == Sign::Negative {
+                entry = self.mesh.twin(entry.next());
+                from = apex;
+            } else {
+                let behind = sight.side(&apex, &from);
+                if behind != Sign::Negative {
+                    return self.settle(entry, [side, ahead, behind]);
                 }
+                entry = self.mesh.twin(entry.prev());
+                to = apex;
             }
-            beyond_entry = Sign::Positive;
+            side = Sign::Positive;
         }
     }
 
@@ -111,18 +122,13 @@ impl Delaunay2 {
     /// half-edge after and of the one before.
     fn settle(&self, h: HalfEdgeId, sides: [Sign; 3]) -> Location {
         match sides.map(|side| side == Sign::Zero) {
+            [false, false, false] => Location::Face(h.face()),
             [true, true, _] => Location::Vertex(self.mesh.target(h)),
             [_, true, true] => Location::Vertex(self.mesh.apex(h)),
             [true, _, true] => Location::Vertex(self.mesh.origin(h)),
             [true, _, _] => Location::Edge(h),
             [_, true, _] => Location::Edge(h.next()),
             [_, _, true] => Location::Edge(h.prev()),
-            [false, false, false] => Location::Face(h.face()),
         }
-    }
-
-    fn side(&self, h: HalfEdgeId, p: DVec2) -> Sign {
-        let [a, b] = [self.mesh.origin(h), self.mesh.target(h)];
-        orient2d(self.point_of(a), self.point_of(b), p)
     }
 }

@@ -42,9 +42,9 @@ pub(super) struct Face {
 /// for (i, j) in [(0, 2), (1, 1), (2, 0)] {
 ///     mesh.glue(front.half_edge(i), back.half_edge(j));
 /// }
-/// mesh.index_vertices();
+/// mesh.half_edges().for_each(|h| mesh.set_outgoing(h));
 /// assert_eq!(mesh.check(), Ok(()));
-/// assert_eq!(mesh.around(a).map(|h| mesh.target(h)).collect::<Vec<_>>(), [b, c]);
+/// assert_eq!(mesh.neighbors(a).count(), 2);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TriMesh {
@@ -180,13 +180,28 @@ impl TriMesh {
 
     /// Finds an outgoing half-edge for every vertex, the one with the smallest id, and none for
     /// vertices without a face.
-    pub fn index_vertices(&mut self) {
-        self.outgoing.fill(HalfEdgeId::NONE);
-        for f in self.faces().rev() {
-            for h in f.half_edges().into_iter().rev() {
-                self.set_outgoing(h);
+    ///
+    /// `slots` is one more than the greatest vertex index, plus one for the ghost.
+    pub(super) fn index_vertices(&mut self, slots: usize) {
+        self.outgoing.clear();
+        self.outgoing.resize(slots, HalfEdgeId::NONE);
+        for (f, face) in self.faces().zip(&self.faces).rev() {
+            for (h, v) in f.half_edges().into_iter().zip(face.origin).rev() {
+                self.outgoing[v.slot()] = h;
             }
         }
+    }
+
+    /// Gives each vertex the name in its slot.
+    pub(super) fn rename_vertices(&mut self, names: &[VertexId]) {
+        for face in &mut self.faces {
+            face.origin = face.origin.map(|v| names[v.slot()]);
+        }
+        let mut outgoing = vec![HalfEdgeId::NONE; self.outgoing.len()];
+        for (name, &h) in names.iter().zip(&self.outgoing) {
+            outgoing[name.slot()] = h;
+        }
+        self.outgoing = outgoing;
     }
 
     /// Removes `f` by moving the last face into its place: the last face takes the id `f`.

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | connectivity, surgery | `mesh.rs`, `around.rs`, `canonical.rs` |
 //! | the triangulation and read access | `delaunay.rs`, `duplicates.rs`, `flat.rs` |
-//! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `star.rs` |
+//! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs` |
 //! | all points | `build.rs` |
 //! | one point less | `remove.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
@@ -28,6 +28,7 @@ mod locate;
 mod mesh;
 mod nearest;
 mod remove;
+mod sight;
 mod star;
 
 pub use around::Around;

@@ -1,5 +1,6 @@
 //! The vertex nearest to a point.
 
+use super::cavity::Cavity;
 use super::delaunay::Delaunay2;
 use super::locate::Location;
 use crate::ids::VertexId;
@@ -39,8 +40,8 @@ impl Delaunay2 {
             Ok(seed) => seed,
             Err(vertex) => return vertex,
         };
-        let mut cavity = super::cavity::Cavity::default();
-        self.dig(p, seed, &mut cavity);
+        let mut cavity = Cavity::default();
+        self.dig(p, seed, p, &mut cavity);
         let distance = |v: VertexId| self.point_of(v).distance_squared(p);
         let real = cavity.vertices().filter(|v| !v.is_ghost());
         let nearest = real.min_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(a.cmp(&b)));

@@ -73,6 +73,16 @@ pub fn clusters(count: usize, seed: u64) -> Vec<DVec2> {
         .collect()
 }
 
+/// Fifty clusters of width 0.01 in the unit square, thick in the middle.
+pub fn gaussian_clusters(count: usize, seed: u64) -> Vec<DVec2> {
+    let mut rng = rng(seed);
+    let centers = uniform(50, seed + 1);
+    let mut offset = move || -> f64 { (0..6).map(|_| rng.random_range(-0.005..0.005)).sum() };
+    (0..count)
+        .map(|i| centers[i % 50] + DVec2::new(offset(), offset()))
+        .collect()
+}
+
 pub fn with_duplicates(points: &[DVec2], seed: u64) -> Vec<DVec2> {
     let mut doubled = [points, points].concat();
     doubled.shuffle(&mut rng(seed));

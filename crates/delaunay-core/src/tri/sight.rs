@@ -1,0 +1,118 @@
+//! Vertices as seen from one point: every question of walk and cavity, with exact answers.
+//!
+//! A vertex is met as a vector from the point, computed once and carried along, so a test loads one
+//! new vertex and decides with an inlined floating-point filter; what the filter leaves open goes the
+//! exact way, out of line. The ghost is seen as a vector that is not a number: the filter never
+//! decides for it, so only the slow path needs to know about ghosts.
+
+use super::delaunay::Delaunay2;
+use crate::ids::VertexId;
+use geo_predicates::filter::{Cross, Filter2, Relative2};
+use geo_predicates::{Lexicographic2, Sign, cocircular_inside, in_circle_perturbed, orient2d};
+use glam::DVec2;
+
+/// The vertices of a triangulation as seen from a point.
+#[derive(Clone, Copy)]
+pub(super) struct Sight<'a> {
+    coords: &'a [DVec2],
+    filter: Filter2,
+    from: DVec2,
+}
+
+/// A vertex and the vector to it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    pub(super) vertex: VertexId,
+    pub(super) arm: Relative2,
+}
+
+impl Delaunay2 {
+    /// What `p` sees. It may be any accepted point, unless the filter is special: then one of those
+    /// that the filter was made for.
+    #[inline(always)]
+    pub(super) fn sight(&self, p: DVec2) -> Sight<'_> {
+        Sight {
+            coords: &self.coords,
+            filter: self.filter,
+            from: p,
+        }
+    }
+}
+
+impl Sight<'_> {
+    #[inline(always)]
+    pub(super) fn see(&self, vertex: VertexId) -> Seen {
+        let arm = Relative2::new(self.coords[vertex.slot()], self.from);
+        Seen { vertex, arm }
+    }
+
+    /// On which side of the line from `a` to `b`, two real vertices, the point lies; `Positive` is
+    /// the left.
+    #[inline(always)]
+    pub(super) fn side(&self, a: &Seen, b: &Seen) -> Sign {
+        let quick = self.filter.orient_relative(&a.arm, &b.arm);
+        quick.unwrap_or_else(|| self.exact_side(a, b))
+    }
+
+    /// Whether the point is in conflict with the face `b`, `a`, `apex`, which lies beyond the edge
+    /// `a -> b` as seen from the point; `ba` is the cross of `b` and `a`.
+    #[inline(always)]
+    pub(super) fn in_conflict(&self, [b, a, apex]: [&Seen; 3], ba: Cross) -> bool {
+        let corners = [&b.arm, &a.arm, &apex.arm];
+        let crosses = [a.arm.cross(&apex.arm), apex.arm.cross(&b.arm), ba];
+        match self.filter.in_circle_crossed(corners, crosses) {
+            Some(Sign::Positive) => true,
+            Some(Sign::Negative) => false,
+            Some(Sign::Zero) => self.wins_tie([b, a, apex]),
+            None => self.exact_conflict([b, a, apex]),
+        }
+    }
+
+    /// [`in_conflict`](Self::in_conflict) when the four points are known to be on one circle.
+    fn wins_tie(&self, face: [&Seen; 3]) -> bool {
+        let [b, a, apex] = face.map(|seen| Lexicographic2(self.point(seen)));
+        cocircular_inside(a, b, apex, Lexicographic2(self.from))
+    }
+
+    /// Conflict with any face, its corners counterclockwise, by exact predicates alone.
+    #[cold]
+    pub(super) fn exact_conflict(&self, [a, b, c]: [&Seen; 3]) -> bool {
+        if a.vertex.is_ghost() {
+            self.ghost_conflict(b, c)
+        } else if b.vertex.is_ghost() {
+            self.ghost_conflict(c, a)
+        } else if c.vertex.is_ghost() {
+            self.ghost_conflict(a, b)
+        } else {
+            let [a, b, c] = [a, b, c].map(|seen| self.point(seen));
+            in_circle_perturbed(a, b, c, self.from)
+        }
+    }
+
+    /// Whether the point is strictly on the left of `a -> b`, where the ghost is, or strictly between
+    /// the two.
+    fn ghost_conflict(&self, a: &Seen, b: &Seen) -> bool {
+        match self.side(a, b) {
+            Sign::Positive => true,
+            Sign::Negative => false,
+            Sign::Zero => {
+                let (a, b) = (self.point(a), self.point(b));
+                precedes(a, self.from) == precedes(self.from, b) && a != self.from && b != self.from
+            }
+        }
+    }
+
+    #[cold]
+    fn exact_side(&self, a: &Seen, b: &Seen) -> Sign {
+        orient2d(self.point(a), self.point(b), self.from)
+    }
+
+    fn point(&self, seen: &Seen) -> DVec2 {
+        self.coords[seen.vertex.slot()]
+    }
+}
+
+/// Whether `a` comes before `b` in lexicographic order: along any line, one of its two directions.
+pub(super) fn precedes(a: DVec2, b: DVec2) -> bool {
+    (a.x, a.y) < (b.x, b.y)
+}
