@@ -1,0 +1,151 @@
+//! OFF: points and polygons as plain text.
+
+use std::io::Write;
+
+use crate::cell::{Cell, Cells};
+use crate::error::{ReadError, ReadProblem, WriteError, WriteProblem};
+use crate::format::Format;
+use crate::lines::{Line, Lines};
+use crate::mesh::Mesh;
+
+/// The mesh of an OFF file: points, and faces of 1 to 4 corners. Colours after the corners of a face are passed over.
+///
+/// # Errors
+/// Counts that do not hold, corners that do not exist, faces of more than 4 corners, numbers that are none or not finite; each with
+/// its line. O(file).
+pub fn parse(bytes: &[u8]) -> Result<Mesh, ReadError> {
+    let mut lines = Lines::new(bytes)?;
+    let (point_count, face_count) = counts(&mut lines)?;
+    let mut points = Vec::with_capacity(lines.room_for(point_count));
+    for index in 0..point_count {
+        let mut line = lines.due(format_args!("point {index} of {point_count}"))?;
+        points.push(line.coordinates("point", index)?);
+        line.end(format_args!("the coordinates of point {index}"))?;
+    }
+    let mut cells = Cells::new();
+    for index in 0..face_count {
+        let line = lines.due(format_args!("face {index} of {face_count}"))?;
+        cells.push(face(line, index, point_count)?);
+    }
+    lines.end()?;
+    Ok(Mesh::new(points, cells))
+}
+
+/// Numbers of points and faces, after the word OFF or on the line below it.
+fn counts(lines: &mut Lines<'_>) -> Result<(usize, usize), ReadError> {
+    let mut line = lines.due(format_args!("the word OFF"))?;
+    match line.word() {
+        Some("OFF") => {}
+        word => return Err(line.unexpected(format_args!("the word OFF"), word.unwrap_or_default())),
+    }
+    if line.text == "OFF" {
+        line = lines.due(format_args!("the numbers of points, faces and edges"))?;
+    }
+    let points = line.number(format_args!("the number of points"))?;
+    let faces = line.number(format_args!("the number of faces"))?;
+    // The number of edges is always there and never means anything.
+    let _edges = line.word();
+    line.end(format_args!("the numbers of points, faces and edges"))?;
+    if u32::try_from(points).is_err() {
+        return Err(line.problem(crate::mesh::MeshDefect::TooManyPoints(points)));
+    }
+    Ok((points, faces))
+}
+
+fn face(mut line: Line<'_>, index: usize, point_count: usize) -> Result<Cell, ReadError> {
+    const MOST_CORNERS: usize = 4;
+    let count: usize = line.number(format_args!("the number of corners of face {index}"))?;
+    let mut corners = [0; MOST_CORNERS];
+    for (corner, point) in corners.iter_mut().take(count).enumerate() {
+        let named: i64 = line.number(format_args!("corner {corner} of face {index}"))?;
+        *point = u32::try_from(named)
+            .ok()
+            .filter(|&point| (point as usize) < point_count)
+            .ok_or_else(|| {
+                line.problem(ReadProblem::NoSuch {
+                    element: "face",
+                    index,
+                    names: "point",
+                    found: named,
+                })
+            })?;
+    }
+    let [a, b, c, d] = corners;
+    match count {
+        1 => Ok(Cell::Vertex([a])),
+        2 => Ok(Cell::Segment([a, b])),
+        3 => Ok(Cell::Triangle([a, b, c])),
+        4 => Ok(Cell::Quad([a, b, c, d])),
+        _ => Err(line.problem(ReadProblem::Unsupported(format!(
+            "face {index} with {count} corners"
+        )))),
+    }
+}
+
+/// Writes points and faces, so that reading gives the same bits. Markers and data are left out.
+///
+/// # Errors
+/// [`WriteProblem::Unsupported`] when there are cells with a volume.
+pub fn write(out: &mut impl Write, mesh: &Mesh) -> Result<(), WriteError> {
+    mesh.check()?;
+    for (index, kind) in mesh.cells.kinds().iter().enumerate() {
+        if kind.dimension() > 2 {
+            let what = format!("cell {index}, a {}", kind.name());
+            return Err(WriteProblem::Unsupported {
+                format: Format::Off,
+                what,
+            }
+            .into());
+        }
+    }
+    writeln!(out, "OFF\n{} {} 0", mesh.points.len(), mesh.cells.len())?;
+    for [x, y, z] in &mesh.points {
+        writeln!(out, "{x:?} {y:?} {z:?}")?;
+    }
+    for cell in mesh.cells.iter() {
+        write!(out, "{}", cell.corners().len())?;
+        for corner in cell.corners() {
+            write!(out, " {corner}")?;
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn error(text: &str) -> String {
+        parse(text.as_bytes()).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn counts_may_follow_the_word_and_colours_are_passed_over() {
+        let mesh =
+            parse(b"OFF 3 1 3 # a triangle\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n").unwrap();
+        assert_eq!(mesh.cells.iter().next(), Some(Cell::Triangle([0, 1, 2])));
+        assert_eq!(mesh.points[1], [1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn errors_name_line_and_element() {
+        insta::assert_snapshot!(error(""), @"line 1: the file ends where the word OFF should follow");
+        insta::assert_snapshot!(error("COFF\n"), @"line 1: expected the word OFF, found `COFF`");
+        insta::assert_snapshot!(error("OFF\n2 -1 0"), @"line 2: expected the number of faces, found `-1`");
+        insta::assert_snapshot!(error("OFF\n5000000000 0 0"), @"line 2: 5000000000 points are more than 32-bit indices can name");
+        insta::assert_snapshot!(error("OFF\n4000000000 0 0\n0 0 0\n"), @"line 3: the file ends where point 1 of 4000000000 should follow");
+        insta::assert_snapshot!(error("OFF\n1 1 0\n0 0 0\n2 0 1"), @"line 4: face 0: there is no point 1");
+        insta::assert_snapshot!(error("OFF\n1 1 0\n0 0 0\n2 0 -1"), @"line 4: face 0: there is no point -1");
+        insta::assert_snapshot!(error("OFF\n1 1 0\n0 0 0\n5 0 0 0 0 0"), @"line 4: face 0 with 5 corners is not supported");
+        insta::assert_snapshot!(error("OFF\n1 0 0\n0 -inf 0"), @"line 3: point 0: y is -inf, which is not a finite number");
+        insta::assert_snapshot!(error("OFF\n0 0 0\n0 0 0"), @"line 3: expected the end of the file, found `0 0 0`");
+    }
+
+    #[test]
+    fn volumes_are_refused() {
+        let cells = Cells::from_iter([Cell::Tetrahedron([0; 4])]);
+        let written = write(&mut Vec::new(), &Mesh::new(vec![[0.0; 3]], cells));
+        insta::assert_snapshot!(written.unwrap_err(), @"OFF cannot hold cell 0, a tetrahedron");
+    }
+}

@@ -1,0 +1,60 @@
+//! Reading a file in the format that its path names.
+
+use std::path::Path;
+
+use crate::error::{ReadError, ReadProblem};
+use crate::format::Format;
+use crate::mesh::Mesh;
+use crate::{off, xy};
+
+/// The mesh in a file of any format that holds one.
+///
+/// Points alone (`.xy`, `.xyz`, `.node`) make a mesh without cells; a `.poly` makes one of segments; structured blocks make one of
+/// quads. An `.ele` needs the `.node` beside it.
+///
+/// # Errors
+/// A [`ReadError`] that names the file, and the line and element where one is to blame. O(file).
+pub fn read_mesh(path: &Path) -> Result<Mesh, ReadError> {
+    named(path, |format, bytes| match format {
+        Format::Xy => Ok(Mesh {
+            points: xy::parse(bytes)?.into_iter().map(flat).collect(),
+            ..Mesh::default()
+        }),
+        Format::Xyz => Ok(Mesh {
+            points: xy::parse(bytes)?,
+            ..Mesh::default()
+        }),
+        Format::Off => off::parse(bytes),
+        _ => Err(unsupported(format, "a mesh")),
+    })
+}
+
+/// The points in a file of any format that holds some; planar ones have `z = 0`.
+///
+/// # Errors
+/// A [`ReadError`] that names the file, and the line and element where one is to blame. O(file).
+pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, ReadError> {
+    read_mesh(path).map(|mesh| mesh.points)
+}
+
+fn flat([x, y]: [f64; 2]) -> [f64; 3] {
+    [x, y, 0.0]
+}
+
+fn unsupported(format: Format, what: &str) -> ReadError {
+    ReadProblem::Unsupported(format!("reading {what} from {format}")).into()
+}
+
+/// Parses the bytes of a file by its format; every error names the file.
+fn named<T>(
+    path: &Path,
+    parse: impl FnOnce(Format, &[u8]) -> Result<T, ReadError>,
+) -> Result<T, ReadError> {
+    let parsed = || {
+        parse(
+            Format::from_path(path).ok_or(ReadProblem::UnknownFormat)?,
+            &std::fs::read(path)?,
+        )
+    };
+    parsed().map_err(|error: ReadError| error.in_file(path))
+}
