@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
+use crate::circles::CirclesDomain;
 use crate::error::{ReadError, ReadProblem};
 use crate::format::Format;
 use crate::mesh::Mesh;
-use crate::{off, xy};
+use crate::{circles_toml, off, xy};
 
 /// The mesh in a file of any format that holds one.
 ///
@@ -35,6 +36,15 @@ pub fn read_mesh(path: &Path) -> Result<Mesh, ReadError> {
 /// A [`ReadError`] that names the file, and the line and element where one is to blame. O(file).
 pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, ReadError> {
     read_mesh(path).map(|mesh| mesh.points)
+}
+
+/// The circles in a `DOMAIN.toml`, whatever the file is called.
+///
+/// # Errors
+/// A [`ReadError`] that names the file and line. O(file).
+pub fn read_circles(path: &Path) -> Result<CirclesDomain, ReadError> {
+    let parsed = || circles_toml::parse(&std::fs::read(path)?);
+    parsed().map_err(|error: ReadError| error.in_file(path))
 }
 
 fn flat([x, y]: [f64; 2]) -> [f64; 3] {

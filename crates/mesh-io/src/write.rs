@@ -4,10 +4,11 @@ use std::path::Path;
 
 use crate::atomic::write_atomically;
 use crate::blocks::StructuredBlocks;
+use crate::circles::CirclesDomain;
 use crate::error::{WriteError, WriteProblem};
 use crate::format::Format;
 use crate::mesh::Mesh;
-use crate::{off, xy};
+use crate::{circles_toml, off, xy};
 
 /// Writes a mesh, as a whole or not at all. Cells are never left out; markers and data are where a format has no place for them.
 ///
@@ -41,6 +42,14 @@ pub fn write_blocks(path: &Path, blocks: &StructuredBlocks) -> Result<(), WriteE
             write_mesh(path, &mesh)
         }
     }
+}
+
+/// Writes circles as a `DOMAIN.toml`, as a whole or not at all.
+///
+/// # Errors
+/// A [`WriteError`] that names the file, when the operating system refuses.
+pub fn write_circles(path: &Path, domain: &CirclesDomain) -> Result<(), WriteError> {
+    write_atomically(path, |out| circles_toml::write(out, domain))
 }
 
 fn format_of(path: &Path) -> Result<Format, WriteError> {
