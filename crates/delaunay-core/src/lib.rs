@@ -25,8 +25,10 @@
 //!   `Vec` beside the mesh, indexed by [`VertexId::index`], [`FaceId::index`] or [`HalfEdgeId::index`].
 //! - Signs, ids, ghosts and the accepted coordinates are as in `docs/conventions.md`. All decisions about
 //!   topology are made by the exact predicates of [`geo_predicates`], re-exported here.
+//! - [`measure`] judges elements and sums up a mesh: angles, r/l, radius ratios, scaled Jacobian, statistics.
 //! - [`progress`] reports from and cancels long loops; [`order`] puts points in spatial order.
 
+pub mod measure;
 pub mod order;
 pub mod progress;
 

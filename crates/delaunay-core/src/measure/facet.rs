@@ -1,0 +1,112 @@
+//! Triangles in space: corners `[a, b, c]` in either orientation, measured as [`triangle`](super::triangle)
+//! does in the plane.
+
+use glam::DVec3;
+
+use super::scale::scale;
+use super::shape::Shape;
+
+/// Area, not negative; square of the unit of length.
+#[must_use]
+pub fn area(corners: [DVec3; 3]) -> f64 {
+    shape(corners).area()
+}
+
+/// Angles at `a`, `b`, `c` in degrees, in [0, 180].
+///
+/// Three corners on a line give 0, 0 and 180; a corner that coincides with another has angle 0.
+#[must_use]
+pub fn angles(corners: [DVec3; 3]) -> [f64; 3] {
+    shape(corners).angles()
+}
+
+/// Radius of the circle through the corners, unit of length; infinite when the area is zero.
+#[must_use]
+pub fn circumradius(corners: [DVec3; 3]) -> f64 {
+    shape(corners).circumradius()
+}
+
+/// Radius of the inscribed circle, unit of length; 0 when the area is zero.
+#[must_use]
+pub fn inradius(corners: [DVec3; 3]) -> f64 {
+    shape(corners).inradius()
+}
+
+/// Length of the shortest edge.
+#[must_use]
+pub fn shortest_edge(corners: [DVec3; 3]) -> f64 {
+    shape(corners).shortest_edge()
+}
+
+/// Length of the longest edge.
+#[must_use]
+pub fn longest_edge(corners: [DVec3; 3]) -> f64 {
+    shape(corners).longest_edge()
+}
+
+/// Circumradius over shortest edge, r/l: dimensionless, at least 1/√3 (equilateral), infinite when the area
+/// is zero. Source: sink paper §4.3.
+#[must_use]
+pub fn radius_edge_ratio(corners: [DVec3; 3]) -> f64 {
+    shape(corners).radius_edge_ratio()
+}
+
+/// Twice the inradius over the circumradius: dimensionless, in [0, 1], 1 for the equilateral triangle, 0 when
+/// the area is zero. Source: bubble paper, eq. 10.
+#[must_use]
+pub fn radius_ratio(corners: [DVec3; 3]) -> f64 {
+    shape(corners).radius_ratio()
+}
+
+fn shape([a, b, c]: [DVec3; 3]) -> Shape {
+    let edges = [b - a, c - b, a - c];
+    let Some(unit) = scale(edges.map(|edge| edge.abs().max_element())) else {
+        return Shape::default();
+    };
+    let [ab, bc, ca] = edges.map(|edge| edge / unit);
+    Shape {
+        unit,
+        edges: [bc, ca, ab].map(DVec3::length),
+        dots: [-ab.dot(ca), -bc.dot(ab), -ca.dot(bc)],
+        cross: shortest_cross([ab, bc, ca]).length(),
+    }
+}
+
+/// The product of the two shortest edges loses the least to cancellation.
+fn shortest_cross([ab, bc, ca]: [DVec3; 3]) -> DVec3 {
+    let [squared_ab, squared_bc, squared_ca] = [ab, bc, ca].map(DVec3::length_squared);
+    if squared_bc >= squared_ab && squared_bc >= squared_ca {
+        ca.cross(ab)
+    } else if squared_ca >= squared_ab {
+        ab.cross(bc)
+    } else {
+        bc.cross(ca)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_right_triangle_in_space_has_its_school_values() {
+        let t = [[1.0, 1.0, 1.0], [1.0, 5.0, 1.0], [1.0, 1.0, 4.0]].map(DVec3::from);
+        assert_eq!((area(t), circumradius(t), inradius(t)), (6.0, 2.5, 1.0));
+        assert_eq!((shortest_edge(t), longest_edge(t)), (3.0, 5.0));
+        assert_eq!((angles(t)[0], radius_ratio(t)), (90.0, 0.8));
+    }
+
+    #[test]
+    fn a_collapsed_facet_has_the_worst_values() {
+        let point = [DVec3::ONE; 3];
+        assert_eq!(
+            (area(point), inradius(point), radius_ratio(point)),
+            (0.0, 0.0, 0.0)
+        );
+        assert_eq!(
+            [circumradius(point), radius_edge_ratio(point)],
+            [f64::INFINITY; 2]
+        );
+        assert_eq!(angles(point), [0.0; 3]);
+    }
+}
