@@ -1,0 +1,182 @@
+//! The multiblock structured mesh: a grid of nodes in every block.
+
+use std::ops::ControlFlow;
+
+use delaunay_core::progress::{Meter, Progress, silent};
+use glam::DVec2;
+
+use crate::block::{Block, BlockId};
+use crate::blocking::Blocking;
+use crate::error::BlockingError;
+use crate::medial_graph::ArcId;
+use crate::nodes::SideNodes;
+use crate::params::{Counts, NodeMatching, Params};
+use crate::transfinite::{BoundaryNodes, transfinite_grid};
+
+/// The structured grid of one block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BlockGrid {
+    across: usize,
+    along: usize,
+    nodes: Vec<DVec2>,
+}
+
+impl BlockGrid {
+    /// Number of cells in the direction of ξ, from the medial arc to the wall.
+    #[must_use]
+    pub const fn cells_across(&self) -> usize {
+        self.across
+    }
+
+    /// Number of cells in the direction of η, along the medial arc.
+    #[must_use]
+    pub const fn cells_along(&self) -> usize {
+        self.along
+    }
+
+    /// All nodes, ξ fastest: node (i, j) is entry `j (cells_across + 1) + i`.
+    #[must_use]
+    pub fn nodes(&self) -> &[DVec2] {
+        &self.nodes
+    }
+
+    /// Node (i, j), `i` counting with ξ from the medial arc, `j` with η.
+    ///
+    /// # Panics
+    /// If `i > cells_across` or `j > cells_along`.
+    #[must_use]
+    pub fn node(&self, i: usize, j: usize) -> DVec2 {
+        self.nodes[j * (self.across + 1) + i]
+    }
+
+    /// The corners of every cell, counterclockwise from the one with the smallest ξ and η; ξ fastest.
+    pub fn cells(&self) -> impl Iterator<Item = [DVec2; 4]> + '_ {
+        let row = self.across + 1;
+        (0..self.along).flat_map(move |j| {
+            (0..self.across).map(move |i| {
+                let k = j * row + i;
+                [
+                    self.nodes[k],
+                    self.nodes[k + 1],
+                    self.nodes[k + row + 1],
+                    self.nodes[k + row],
+                ]
+            })
+        })
+    }
+}
+
+/// A blocking with a grid in every block.
+///
+/// Blocks that share a curve have the same nodes on it, bit for bit, up to the shift of a periodic side.
+#[derive(Clone, Debug)]
+pub struct BlockMesh {
+    blocking: Blocking,
+    grids: Vec<BlockGrid>,
+    leaning: Vec<ArcId>,
+}
+
+impl BlockMesh {
+    /// Places the nodes of every block.
+    ///
+    /// # Errors
+    /// Counts that are zero, too small for a cell not to fold, too large together, or of the wrong length; a cell size that is not positive.
+    ///
+    /// O(cells). Source: Guoy & Erickson §3 and §5, equal spacing and transfinite interpolation.
+    pub fn of(blocking: Blocking, params: &Params) -> Result<Self, BlockingError> {
+        Self::of_with(blocking, params, &mut silent)
+    }
+
+    /// The same as [`BlockMesh::of`], reporting progress to `report`, which may stop the work.
+    ///
+    /// # Errors
+    /// As [`BlockMesh::of`], and [`BlockingError::Cancelled`].
+    pub fn of_with(
+        blocking: Blocking,
+        params: &Params,
+        report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Self, BlockingError> {
+        let counts = Counts::of(&blocking, &params.cells)?;
+        let mut grids = Vec::with_capacity(blocking.blocks().len());
+        let mut leaning = Vec::new();
+        let mut meter = Meter::start(report, "place nodes", blocking.arcs().len())?;
+        for arc in blocking.arc_ids() {
+            meter.advance()?;
+            let along =
+                blocking.nodes_along(arc, counts.along_arc[arc.index()], params.matching)?;
+            for (id, side) in [
+                (arc.right_block(), &along.right),
+                (arc.left_block(), &along.left),
+            ] {
+                grids.push(block_grid(&blocking, id, side, &counts));
+            }
+            let wall_lean = along.right.lean.max(along.left.lean);
+            if along.lean > 0.0
+                || (params.matching == NodeMatching::EqualSpacing && wall_lean > 0.0)
+            {
+                leaning.push(arc);
+            }
+        }
+        Ok(Self {
+            blocking,
+            grids,
+            leaning,
+        })
+    }
+
+    /// The arcs whose nodes, or whose walls' nodes, are not spaced as asked for, because a cell would have folded.
+    #[must_use]
+    pub fn leaning_arcs(&self) -> &[ArcId] {
+        &self.leaning
+    }
+
+    /// The blocks behind the grids.
+    #[must_use]
+    pub const fn blocking(&self) -> &Blocking {
+        &self.blocking
+    }
+
+    /// One grid per block, in the order of [`Blocking::blocks`].
+    #[must_use]
+    pub fn grids(&self) -> &[BlockGrid] {
+        &self.grids
+    }
+
+    /// The grid of a block.
+    #[must_use]
+    pub fn grid(&self, id: BlockId) -> &BlockGrid {
+        &self.grids[id.index()]
+    }
+
+    /// Every block with its grid.
+    pub fn blocks(&self) -> impl Iterator<Item = (&Block, &BlockGrid)> {
+        self.blocking.blocks().iter().zip(&self.grids)
+    }
+
+    /// Number of cells of all blocks.
+    #[must_use]
+    pub fn cell_count(&self) -> usize {
+        self.grids.iter().map(|grid| grid.across * grid.along).sum()
+    }
+
+    /// The corners of every cell, block after block.
+    pub fn cells(&self) -> impl Iterator<Item = [DVec2; 4]> + '_ {
+        self.grids.iter().flat_map(BlockGrid::cells)
+    }
+}
+
+fn block_grid(blocking: &Blocking, id: BlockId, side: &SideNodes, counts: &Counts) -> BlockGrid {
+    let across = counts.across_wall[blocking.block(id).wall.index()];
+    let [eta0, eta1] = blocking.eta_nodes(id, across);
+    let nodes = transfinite_grid(&BoundaryNodes {
+        xi0: &side.xi0,
+        xi1: &side.xi1,
+        eta0: &eta0,
+        eta1: &eta1,
+    });
+    BlockGrid {
+        across: across as usize,
+        along: side.xi0.len() - 1,
+        nodes,
+    }
+}

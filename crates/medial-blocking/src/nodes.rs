@@ -1,0 +1,293 @@
+//! Nodes along the bounding curves of the blocks (§5, §6).
+//!
+//! Nodes are equally spaced by length along medial arcs and, unless empty circles match them, along walls. The paper holds that such nodes
+//! never fold a cell. They can: where an arc runs far out from a small hole, equal lengths of arc belong to very unequal angles of wall. So
+//! every strip of cells is tested, by exact signs, and where one folds the nodes of that arc *lean*: first the wall's nodes towards the touching points, then
+//! the arc's nodes towards equal angles round the smaller hole, in quarters, as little as unfolds the strips. Nodes that lean all the way cannot fold
+//! unless a cell spans half a turn.
+
+use std::f64::consts::PI;
+
+use geo_predicates::orient2d;
+use glam::DVec2;
+
+use crate::block::{ArcSide, BlockId};
+use crate::blocking::Blocking;
+use crate::error::BlockingError;
+use crate::medial_graph::{ArcCurve, ArcEnd, ArcId};
+use crate::params::NodeMatching;
+
+/// Pieces into which an arc is cut to measure its length.
+const PIECES: usize = 24;
+
+/// Abscissae and weights of Gauss–Legendre quadrature with three points on [0, 1].
+const GAUSS: [(f64, f64); 3] = [
+    (0.112_701_665_379_258_3, 5.0 / 18.0),
+    (0.5, 8.0 / 18.0),
+    (0.887_298_334_620_741_7, 5.0 / 18.0),
+];
+
+/// How far nodes lean away from equal spacing, tried in this order until no strip folds.
+const LEANS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+
+/// An arc shorter than this in units of its clearance is what rounding leaves of a vertex shared by four or more walls.
+const COLLAPSED: f64 = 1e-6;
+
+/// Length along an arc as a function of its parameter, tabulated.
+struct ArcLength {
+    curve: ArcCurve,
+    /// Length from the start to the parameter `k / PIECES`.
+    upto: [f64; PIECES + 1],
+}
+
+impl ArcLength {
+    fn of(curve: ArcCurve) -> Self {
+        let mut upto = [0.0; PIECES + 1];
+        for k in 0..PIECES {
+            upto[k + 1] = upto[k] + Self::between(&curve, at(k), at(k + 1));
+        }
+        Self { curve, upto }
+    }
+
+    fn total(&self) -> f64 {
+        self.upto[PIECES]
+    }
+
+    /// The parameter at which the length from the start is `length`, by safeguarded Newton steps inside one piece.
+    fn parameter(&self, length: f64) -> f64 {
+        let piece = self
+            .upto
+            .partition_point(|&upto| upto <= length)
+            .clamp(1, PIECES)
+            - 1;
+        let (mut low, mut high) = (at(piece), at(piece + 1));
+        let within = (length - self.upto[piece]) / (self.upto[piece + 1] - self.upto[piece]);
+        let mut u = if within.is_finite() {
+            low + (high - low) * within.clamp(0.0, 1.0)
+        } else {
+            low
+        };
+        for _ in 0..8 {
+            let excess = self.upto[piece] + Self::between(&self.curve, at(piece), u) - length;
+            if excess.abs() <= 1e-14 * self.total() {
+                break;
+            }
+            if excess > 0.0 {
+                high = u
+            } else {
+                low = u
+            }
+            let newton = u - excess / self.curve.speed(u);
+            u = if (low..=high).contains(&newton) {
+                newton
+            } else {
+                low.midpoint(high)
+            };
+        }
+        u
+    }
+
+    /// Length of curve between two parameters of one piece.
+    fn between(curve: &ArcCurve, from: f64, to: f64) -> f64 {
+        GAUSS
+            .iter()
+            .map(|&(x, weight)| weight * curve.speed(from + (to - from) * x))
+            .sum::<f64>()
+            * (to - from)
+    }
+}
+
+fn at(piece: usize) -> f64 {
+    piece as f64 / PIECES as f64
+}
+
+impl Blocking {
+    /// Length of a medial arc, to about 1e-9 of itself.
+    #[must_use]
+    pub fn arc_length(&self, arc: ArcId) -> f64 {
+        ArcLength::of(self.arc(arc).curve).total()
+    }
+
+    /// The longest of an arc and the two pieces of wall on its sides.
+    pub(crate) fn longest_curve_along(&self, arc: ArcId) -> f64 {
+        let wall = |block: BlockId| {
+            self.wall_sweep(block).abs() * self.wall_of(self.block(block)).circle.radius
+        };
+        self.arc_length(arc)
+            .max(wall(arc.right_block()))
+            .max(wall(arc.left_block()))
+    }
+
+    /// Nodes along an arc and the two walls on its sides, with no strip of cells folded.
+    ///
+    /// # Errors
+    /// [`BlockingError::TooFewCells`] when a cell would still fold. Arcs that rounding has left of co-circular holes are exempt: their cells are
+    /// empty however they are matched.
+    pub(crate) fn nodes_along(
+        &self,
+        id: ArcId,
+        cells: u32,
+        matching: NodeMatching,
+    ) -> Result<NodesAlong, BlockingError> {
+        let length = ArcLength::of(self.arc(id).curve);
+        let mut folded = id.right_block();
+        for lean in LEANS {
+            let nodes = self.arc_nodes(id, &length, cells, lean);
+            let [right, left] = [id.right_block(), id.left_block()]
+                .map(|block| self.side_nodes(block, &nodes, matching));
+            folded = if right.folded {
+                id.right_block()
+            } else {
+                id.left_block()
+            };
+            if !(right.folded || left.folded) || self.is_thin(id, COLLAPSED) {
+                return Ok(NodesAlong { lean, right, left });
+            }
+        }
+        let wall = self.domain().name(self.block(folded).wall);
+        Err(BlockingError::TooFewCells {
+            arc: id.index(),
+            cells,
+            wall,
+        })
+    }
+
+    /// Nodes along an arc in the arc's frame; the ends are the medial vertices.
+    fn arc_nodes(&self, id: ArcId, length: &ArcLength, cells: u32, lean: f64) -> Vec<DVec2> {
+        let arc = self.arc(id);
+        let end =
+            |end: &ArcEnd| self.vertex(end.vertex).center + self.domain().translation(end.shift);
+        let mut nodes = vec![end(&arc.start)];
+        nodes.extend((1..cells).map(|k| {
+            let fraction = f64::from(k) / f64::from(cells);
+            let equal_length = length.parameter(length.total() * fraction);
+            self.domain().snap(
+                arc.curve
+                    .point(equal_length + lean * (fraction - equal_length)),
+            )
+        }));
+        nodes.push(end(&arc.end));
+        nodes
+    }
+
+    /// The nodes on arc and wall of a block, the wall's leaning as little as unfolds the strips.
+    fn side_nodes(&self, id: BlockId, arc_nodes: &[DVec2], matching: NodeMatching) -> SideNodes {
+        let xi0 = self.xi0_nodes(id, arc_nodes);
+        let angles = WallAngles::of(self, id, &xi0);
+        let leans = match matching {
+            NodeMatching::EqualSpacing => &LEANS[..],
+            NodeMatching::EmptyCircle => &LEANS[LEANS.len() - 1..],
+        };
+        let candidate = |lean| (lean, angles.nodes(self, id, lean));
+        let unfolded = leans
+            .iter()
+            .map(|&lean| candidate(lean))
+            .find(|(_, xi1)| !folds(&xi0, xi1));
+        let folded = unfolded.is_none();
+        let (lean, xi1) = unfolded.unwrap_or_else(|| candidate(1.0));
+        SideNodes {
+            xi0,
+            xi1,
+            lean,
+            folded,
+        }
+    }
+
+    /// An arc's nodes as the ξ0-curve of a block.
+    fn xi0_nodes(&self, id: BlockId, arc_nodes: &[DVec2]) -> Vec<DVec2> {
+        let block = self.block(id);
+        let by = self.domain().translation(block.arc_shift);
+        let moved = arc_nodes.iter().map(|&node| node + by);
+        if block.side == ArcSide::Right {
+            moved.collect()
+        } else {
+            moved.rev().collect()
+        }
+    }
+
+    /// Equally spaced nodes on the straight lines η = 0 and η = 1 of a block.
+    pub(crate) fn eta_nodes(&self, id: BlockId, cells: u32) -> [Vec<DVec2>; 2] {
+        let block = self.block(id);
+        [block.start, block.end].map(|corner| {
+            let (from, to) = (self.inner_corner(&corner), self.wall_corner(block, &corner));
+            (0..=cells)
+                .map(|k| from.lerp(to, f64::from(k) / f64::from(cells)))
+                .collect()
+        })
+    }
+}
+
+/// Nodes along an arc, as the ξ0- and ξ1-curves of the blocks on its sides.
+pub(crate) struct NodesAlong {
+    /// How far the arc's nodes lean from equal lengths towards equal angles.
+    pub(crate) lean: f64,
+    pub(crate) right: SideNodes,
+    pub(crate) left: SideNodes,
+}
+
+/// Nodes at ξ = 0 and ξ = 1 of a block, by η.
+pub(crate) struct SideNodes {
+    pub(crate) xi0: Vec<DVec2>,
+    pub(crate) xi1: Vec<DVec2>,
+    /// How far the wall's nodes lean from equal spacing towards the touching points.
+    pub(crate) lean: f64,
+    folded: bool,
+}
+
+/// Angles of the points where the empty circles round the nodes of an arc touch a wall, from the first one.
+struct WallAngles(Vec<f64>);
+
+impl WallAngles {
+    fn of(blocking: &Blocking, id: BlockId, xi0: &[DVec2]) -> Self {
+        let block = blocking.block(id);
+        let (center, start) = (
+            blocking.wall_of(block).circle.center,
+            blocking.touch_direction(&block.start),
+        );
+        let sweep = blocking.wall_sweep(id);
+        let last = xi0.len() - 1;
+        let angles = xi0.iter().enumerate().map(|(k, &node)| match k {
+            0 => 0.0,
+            k if k == last => sweep,
+            _ => near(start.angle_to((node - center).normalize_or(start)), sweep),
+        });
+        Self(angles.collect())
+    }
+
+    /// The wall's nodes, `lean` of the way from equal spacing to the touching points; the ends are the block's corners.
+    fn nodes(&self, blocking: &Blocking, id: BlockId, lean: f64) -> Vec<DVec2> {
+        let block = blocking.block(id);
+        let (wall, start) = (
+            blocking.wall_of(block),
+            blocking.touch_direction(&block.start),
+        );
+        let last = self.0.len() - 1;
+        let node = |(k, &touching): (usize, &f64)| match k {
+            0 => blocking.wall_corner(block, &block.start),
+            k if k == last => blocking.wall_corner(block, &block.end),
+            _ => {
+                let equal = self.0[last] * k as f64 / last as f64;
+                wall.point_towards(
+                    DVec2::from_angle(equal + lean * (touching - equal)).rotate(start),
+                )
+            }
+        };
+        self.0.iter().enumerate().map(node).collect()
+    }
+}
+
+/// `angle`, known up to whole turns, brought between 0 and `sweep`, or as near to that as it comes.
+fn near(angle: f64, sweep: f64) -> f64 {
+    let middle = sweep / 2.0;
+    angle - ((angle - middle) / (2.0 * PI)).round() * 2.0 * PI
+}
+
+/// Whether a strip of cells between two grid lines from arc to wall is not convex.
+fn folds(xi0: &[DVec2], xi1: &[DVec2]) -> bool {
+    xi0.windows(2).zip(xi1.windows(2)).any(|(m, c)| {
+        let corners = [m[0], c[0], c[1], m[1]];
+        (0..4).any(|k| {
+            !orient2d(corners[k], corners[(k + 1) % 4], corners[(k + 2) % 4]).is_positive()
+        })
+    })
+}
