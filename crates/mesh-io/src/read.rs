@@ -6,7 +6,7 @@ use crate::circles::CirclesDomain;
 use crate::error::{ReadError, ReadProblem};
 use crate::format::Format;
 use crate::mesh::Mesh;
-use crate::{circles_toml, off, xy};
+use crate::{circles_toml, msh, off, xy};
 
 /// The mesh in a file of any format that holds one.
 ///
@@ -26,6 +26,7 @@ pub fn read_mesh(path: &Path) -> Result<Mesh, ReadError> {
             ..Mesh::default()
         }),
         Format::Off => off::parse(bytes),
+        Format::Msh => msh::parse(bytes).map(|file| file.mesh),
         _ => Err(unsupported(format, "a mesh")),
     })
 }

@@ -8,7 +8,8 @@ use crate::circles::CirclesDomain;
 use crate::error::{WriteError, WriteProblem};
 use crate::format::Format;
 use crate::mesh::Mesh;
-use crate::{circles_toml, off, xy};
+use crate::numbers::Encoding;
+use crate::{circles_toml, msh, off, xy};
 
 /// Writes a mesh, as a whole or not at all. Cells are never left out; markers and data are where a format has no place for them.
 ///
@@ -22,6 +23,7 @@ pub fn write_mesh(path: &Path, mesh: &Mesh) -> Result<(), WriteError> {
     write_atomically(path, |out| match format {
         Format::Xy | Format::Xyz => xy::write(out, format, mesh),
         Format::Off => off::write(out, mesh),
+        Format::Msh => msh::write(out, mesh, &[], Encoding::Ascii),
         _ => Err(unsupported(format, "a mesh")),
     })
 }
