@@ -187,7 +187,7 @@ pub fn write(out: &mut impl Write, domain: &CirclesDomain) -> Result<(), WriteEr
             )?;
         }
         Frame::Periodic { period } => {
-            writeln!(out, "kind = \"periodic\"\nperiod = {}", pair(period))?
+            writeln!(out, "kind = \"periodic\"\nperiod = {}", pair(period))?;
         }
     }
     for hole in &domain.holes {

@@ -16,6 +16,7 @@ pub mod off;
 mod planar_graph;
 mod read;
 pub mod svg;
+pub mod triangle;
 mod write;
 pub mod xy;
 
@@ -28,5 +29,5 @@ pub use format::Format;
 pub use mesh::{Axis, DataArray, Mesh, MeshDefect};
 pub use numbers::Encoding;
 pub use planar_graph::{PlanarGraph, Region};
-pub use read::{read_circles, read_mesh, read_points};
-pub use write::{write_blocks, write_circles, write_mesh};
+pub use read::{read_circles, read_mesh, read_planar_graph, read_points};
+pub use write::{write_blocks, write_circles, write_mesh, write_planar_graph};

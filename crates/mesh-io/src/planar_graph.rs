@@ -1,6 +1,7 @@
 //! Planar straight-line graphs: what a constrained triangulation starts from.
 
-use crate::mesh::DataArray;
+use crate::cell::Cell;
+use crate::mesh::{DataArray, Mesh};
 
 /// Points of the plane and segments between them, with the seeds of holes and regions.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,4 +31,19 @@ pub struct Region {
     pub attribute: f64,
     /// Largest area of a triangle in the region, where it is bounded.
     pub max_area: Option<f64>,
+}
+
+impl PlanarGraph {
+    /// The points and segments as a mesh with `z = 0`; segment markers become cell markers. O(size of the graph).
+    #[must_use]
+    pub fn as_mesh(&self) -> Mesh {
+        Mesh {
+            points: self.points.iter().map(|&[x, y]| [x, y, 0.0]).collect(),
+            cells: self.segments.iter().copied().map(Cell::Segment).collect(),
+            point_markers: self.point_markers.clone(),
+            cell_markers: self.segment_markers.clone(),
+            point_data: self.point_data.clone(),
+            cell_data: Vec::new(),
+        }
+    }
 }

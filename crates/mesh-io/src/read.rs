@@ -6,7 +6,8 @@ use crate::circles::CirclesDomain;
 use crate::error::{ReadError, ReadProblem};
 use crate::format::Format;
 use crate::mesh::Mesh;
-use crate::{circles_toml, msh, off, xy};
+use crate::planar_graph::PlanarGraph;
+use crate::{circles_toml, msh, off, triangle, xy};
 
 /// The mesh in a file of any format that holds one.
 ///
@@ -27,6 +28,9 @@ pub fn read_mesh(path: &Path) -> Result<Mesh, ReadError> {
         }),
         Format::Off => off::parse(bytes),
         Format::Msh => msh::parse(bytes).map(|file| file.mesh),
+        Format::TriangleNode => triangle::parse_node(bytes).map(Mesh::from),
+        Format::TriangleEle => triangle::parse_ele(bytes, nodes_beside(path)?),
+        Format::TrianglePoly => Ok(triangle::parse_poly(bytes, || nodes_beside(path))?.as_mesh()),
         _ => Err(unsupported(format, "a mesh")),
     })
 }
@@ -46,6 +50,23 @@ pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, ReadError> {
 pub fn read_circles(path: &Path) -> Result<CirclesDomain, ReadError> {
     let parsed = || circles_toml::parse(&std::fs::read(path)?);
     parsed().map_err(|error: ReadError| error.in_file(path))
+}
+
+/// The planar straight-line graph in a `.poly`, with its points from the `.node` beside it when the file has none.
+///
+/// # Errors
+/// A [`ReadError`] that names the file, and the line and element where one is to blame. O(file).
+pub fn read_planar_graph(path: &Path) -> Result<PlanarGraph, ReadError> {
+    named(path, |format, bytes| match format {
+        Format::TrianglePoly => triangle::parse_poly(bytes, || nodes_beside(path)),
+        _ => Err(unsupported(format, "a planar graph")),
+    })
+}
+
+fn nodes_beside(path: &Path) -> Result<triangle::Nodes, ReadError> {
+    named(&path.with_extension("node"), |_, bytes| {
+        triangle::parse_node(bytes)
+    })
 }
 
 fn flat([x, y]: [f64; 2]) -> [f64; 3] {

@@ -2,14 +2,16 @@
 
 use std::path::Path;
 
-use crate::atomic::write_atomically;
+use crate::atomic::{Staged, write_atomically};
 use crate::blocks::StructuredBlocks;
+use crate::cell::Cell;
 use crate::circles::CirclesDomain;
 use crate::error::{WriteError, WriteProblem};
 use crate::format::Format;
 use crate::mesh::Mesh;
 use crate::numbers::Encoding;
-use crate::{circles_toml, msh, off, xy};
+use crate::planar_graph::PlanarGraph;
+use crate::{circles_toml, msh, off, triangle, xy};
 
 /// Writes a mesh, as a whole or not at all. Cells are never left out; markers and data are where a format has no place for them.
 ///
@@ -20,10 +22,14 @@ use crate::{circles_toml, msh, off, xy};
 /// the operating system refuses. O(mesh).
 pub fn write_mesh(path: &Path, mesh: &Mesh) -> Result<(), WriteError> {
     let format = format_of(path)?;
+    if matches!(format, Format::TriangleNode | Format::TriangleEle) {
+        return write_nodes_and_elements(path, mesh);
+    }
     write_atomically(path, |out| match format {
         Format::Xy | Format::Xyz => xy::write(out, format, mesh),
         Format::Off => off::write(out, mesh),
         Format::Msh => msh::write(out, mesh, &[], Encoding::Ascii),
+        Format::TrianglePoly => triangle::write_poly(out, &graph_of(mesh)?),
         _ => Err(unsupported(format, "a mesh")),
     })
 }
@@ -52,6 +58,58 @@ pub fn write_blocks(path: &Path, blocks: &StructuredBlocks) -> Result<(), WriteE
 /// A [`WriteError`] that names the file, when the operating system refuses.
 pub fn write_circles(path: &Path, domain: &CirclesDomain) -> Result<(), WriteError> {
     write_atomically(path, |out| circles_toml::write(out, domain))
+}
+
+/// Writes a planar straight-line graph as a `.poly`, as a whole or not at all.
+///
+/// # Errors
+/// A [`WriteError`] that names the file: the path names another format, the graph contradicts itself, the operating system refuses.
+pub fn write_planar_graph(path: &Path, graph: &PlanarGraph) -> Result<(), WriteError> {
+    match format_of(path)? {
+        Format::TrianglePoly => write_atomically(path, |out| triangle::write_poly(out, graph)),
+        format => Err(unsupported(format, "a planar graph").in_file(path)),
+    }
+}
+
+fn write_nodes_and_elements(path: &Path, mesh: &Mesh) -> Result<(), WriteError> {
+    let (node, ele) = (path.with_extension("node"), path.with_extension("ele"));
+    let nodes = Staged::fill(&node, |out| triangle::write_node(out, mesh))?;
+    if format_of(path)? == Format::TriangleNode && mesh.cells.is_empty() {
+        return nodes.publish();
+    }
+    let elements = Staged::fill(&ele, |out| triangle::write_ele(out, mesh))?;
+    nodes.publish()?;
+    elements.publish()
+}
+
+/// The graph of a planar mesh that has only segments.
+fn graph_of(mesh: &Mesh) -> Result<PlanarGraph, WriteError> {
+    mesh.check()?;
+    let refuse = |what: &str| unsupported(Format::TrianglePoly, what);
+    let points = mesh
+        .points
+        .iter()
+        .enumerate()
+        .map(|(index, &[x, y, z])| match z {
+            0.0 => Ok([x, y]),
+            _ => Err(refuse(&format!("z = {z} of point {index}"))),
+        });
+    let segments = mesh
+        .cells
+        .iter()
+        .enumerate()
+        .map(|(index, cell)| match cell {
+            Cell::Segment(ends) => Ok(ends),
+            _ => Err(refuse(&format!("cell {index}, a {}", cell.kind().name()))),
+        });
+    Ok(PlanarGraph {
+        points: points.collect::<Result<_, _>>()?,
+        point_markers: mesh.point_markers.clone(),
+        point_data: mesh.point_data.clone(),
+        segments: segments.collect::<Result<_, _>>()?,
+        segment_markers: mesh.cell_markers.clone(),
+        ..PlanarGraph::default()
+    })
 }
 
 fn format_of(path: &Path) -> Result<Format, WriteError> {
