@@ -32,10 +32,17 @@ const CROWD: usize = 32;
 
 /// Indices of `points` in insertion order: one entry per point, each index once.
 ///
-/// The order depends on the points and on nothing else. Takes n log n time. The points must have
-/// passed the coordinate check and be fewer than 2^29.
+/// The order depends on the points and on nothing else. Takes n log n time. Points that are not finite
+/// come in some order too.
+///
+/// # Panics
+/// When there are 2^32 points or more.
 #[must_use]
 pub fn insertion_order(points: &[DVec2]) -> Vec<u32> {
+    assert!(
+        u32::try_from(points.len()).is_ok(),
+        "more points than 32 bits can number"
+    );
     let layout = KeyLayout::new(points.len());
     let mut keys: Vec<u64> = (0..points.len() as u64)
         .map(|index| round_of(index, points.len()) << layout.round_shift() | index)
@@ -95,8 +102,9 @@ fn hash(index: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Writes into each key the place of its point on the curve through the bounding box of them all.
-fn add_places(points: &[DVec2], keys: &mut [u64], layout: KeyLayout) {
+/// Writes into each key the place of its point on the curve through the bounding box of them all;
+/// answers whether the box has a size, so that the places differ.
+fn add_places(points: &[DVec2], keys: &mut [u64], layout: KeyLayout) -> bool {
     let grid = Grid::around(
         keys.iter().map(|&key| points[layout.index(key)]),
         layout.grid_bits,
@@ -105,6 +113,7 @@ fn add_places(points: &[DVec2], keys: &mut [u64], layout: KeyLayout) {
         let [x, y] = grid.cell(points[layout.index(*key)]);
         *key |= place(x, y, layout.grid_bits) << layout.index_bits;
     }
+    grid.scale > 0.0
 }
 
 /// Sorts the points of every crowded cell along a curve of their own.
@@ -112,19 +121,15 @@ fn add_places(points: &[DVec2], keys: &mut [u64], layout: KeyLayout) {
 /// Ends because the bounding box of a crowd spreads over all cells along its longer side, so each
 /// level splits it; equal points, which nothing splits, are left alone.
 fn order_crowds(points: &[DVec2], keys: &mut [u64], layout: KeyLayout) {
-    let crowded = |crowd: &&mut [u64]| crowd.len() > CROWD;
     let crowds = keys.chunk_by_mut(|&a, &b| layout.cell(a) == layout.cell(b));
-    for crowd in crowds.filter(crowded) {
-        let first = points[layout.index(crowd[0])];
-        if crowd.iter().all(|&key| points[layout.index(key)] == first) {
-            continue;
-        }
+    for crowd in crowds.filter(|crowd| crowd.len() > CROWD) {
         for key in crowd.iter_mut() {
             *key = layout.index(*key) as u64;
         }
-        add_places(points, crowd, layout);
-        crowd.sort_unstable();
-        order_crowds(points, crowd, layout);
+        if add_places(points, crowd, layout) {
+            crowd.sort_unstable();
+            order_crowds(points, crowd, layout);
+        }
     }
 }
 
@@ -208,6 +213,23 @@ mod tests {
         });
         let length: f64 = steps.filter(|&step| step < 0.1).sum();
         assert!(length < 1e-9 * 3.0 * 30.0, "{length}");
+    }
+
+    #[test]
+    fn points_that_are_not_finite_are_ordered_too() {
+        let strange = [
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            0.0,
+            1e308,
+            -1e308,
+        ];
+        let mut points = Vec::new();
+        for i in 0..5000 {
+            points.push(DVec2::new(strange[i % 6], strange[i / 6 % 6]));
+        }
+        assert_permutation(&insertion_order(&points));
     }
 
     #[test]

@@ -198,9 +198,8 @@ impl Delaunay2 {
             return Ok(());
         }
         let sight = self.sight(self.point_of(vertex));
-        let [a, b, c] = corners.map(|v| sight.see(v));
         require(
-            !sight.exact_conflict([&a, &b, &c]),
+            !sight.exact_conflict(corners),
             Violation::NotDelaunay { half_edge, vertex },
         )
     }

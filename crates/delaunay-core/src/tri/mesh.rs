@@ -185,9 +185,10 @@ impl TriMesh {
     pub(super) fn index_vertices(&mut self, slots: usize) {
         self.outgoing.clear();
         self.outgoing.resize(slots, HalfEdgeId::NONE);
-        for (f, face) in self.faces().zip(&self.faces).rev() {
-            for (h, v) in f.half_edges().into_iter().zip(face.origin).rev() {
-                self.outgoing[v.slot()] = h;
+        for (index, face) in self.faces.iter().enumerate().rev() {
+            let f = FaceId::new(index);
+            for corner in (0..3).rev() {
+                self.outgoing[face.origin[corner].slot()] = f.half_edge(corner);
             }
         }
     }

@@ -50,12 +50,16 @@ impl Sight<'_> {
     /// the left.
     #[inline(always)]
     pub(super) fn side(&self, a: &Seen, b: &Seen) -> Sign {
-        let quick = self.filter.orient_relative(&a.arm, &b.arm);
-        quick.unwrap_or_else(|| self.exact_side(a, b))
+        match self.filter.orient_relative(&a.arm, &b.arm) {
+            Some(sign) => sign,
+            None => self.exact_side(a.vertex, b.vertex),
+        }
     }
 
     /// Whether the point is in conflict with the face `b`, `a`, `apex`, which lies beyond the edge
     /// `a -> b` as seen from the point; `ba` is the cross of `b` and `a`.
+    ///
+    /// The ways out of line take ids, not references, so that what is seen stays in registers.
     #[inline(always)]
     pub(super) fn in_conflict(&self, [b, a, apex]: [&Seen; 3], ba: Cross) -> bool {
         let corners = [&b.arm, &a.arm, &apex.arm];
@@ -63,53 +67,58 @@ impl Sight<'_> {
         match self.filter.in_circle_crossed(corners, crosses) {
             Some(Sign::Positive) => true,
             Some(Sign::Negative) => false,
-            Some(Sign::Zero) => self.wins_tie([b, a, apex]),
-            None => self.exact_conflict([b, a, apex]),
+            Some(Sign::Zero) => self.wins_tie([b.vertex, a.vertex, apex.vertex]),
+            None => self.exact_conflict([b.vertex, a.vertex, apex.vertex]),
         }
     }
 
     /// [`in_conflict`](Self::in_conflict) when the four points are known to be on one circle.
-    fn wins_tie(&self, face: [&Seen; 3]) -> bool {
-        let [b, a, apex] = face.map(|seen| Lexicographic2(self.point(seen)));
+    #[inline(never)]
+    fn wins_tie(&self, face: [VertexId; 3]) -> bool {
+        let [b, a, apex] = face.map(|v| Lexicographic2(self.point(v)));
         cocircular_inside(a, b, apex, Lexicographic2(self.from))
     }
 
-    /// Conflict with any face, its corners counterclockwise, by exact predicates alone.
+    /// Conflict with any face, its corners counterclockwise; ghosts included.
     #[cold]
-    pub(super) fn exact_conflict(&self, [a, b, c]: [&Seen; 3]) -> bool {
-        if a.vertex.is_ghost() {
+    #[inline(never)]
+    pub(super) fn exact_conflict(&self, [a, b, c]: [VertexId; 3]) -> bool {
+        if a.is_ghost() {
             self.ghost_conflict(b, c)
-        } else if b.vertex.is_ghost() {
+        } else if b.is_ghost() {
             self.ghost_conflict(c, a)
-        } else if c.vertex.is_ghost() {
+        } else if c.is_ghost() {
             self.ghost_conflict(a, b)
         } else {
-            let [a, b, c] = [a, b, c].map(|seen| self.point(seen));
+            let [a, b, c] = [a, b, c].map(|v| self.point(v));
             in_circle_perturbed(a, b, c, self.from)
         }
     }
 
     /// Whether the point is strictly on the left of `a -> b`, where the ghost is, or strictly between
     /// the two.
-    fn ghost_conflict(&self, a: &Seen, b: &Seen) -> bool {
-        match self.side(a, b) {
+    fn ghost_conflict(&self, a: VertexId, b: VertexId) -> bool {
+        match self.side(&self.see(a), &self.see(b)) {
             Sign::Positive => true,
             Sign::Negative => false,
-            Sign::Zero => {
-                let (a, b) = (self.point(a), self.point(b));
-                precedes(a, self.from) == precedes(self.from, b) && a != self.from && b != self.from
-            }
+            Sign::Zero => strictly_between(self.point(a), self.point(b), self.from),
         }
     }
 
     #[cold]
-    fn exact_side(&self, a: &Seen, b: &Seen) -> Sign {
+    #[inline(never)]
+    fn exact_side(&self, a: VertexId, b: VertexId) -> Sign {
         orient2d(self.point(a), self.point(b), self.from)
     }
 
-    fn point(&self, seen: &Seen) -> DVec2 {
-        self.coords[seen.vertex.slot()]
+    fn point(&self, v: VertexId) -> DVec2 {
+        self.coords[v.slot()]
     }
+}
+
+/// Whether `p` is between `a` and `b` and equal to neither, given that the three are on a line.
+fn strictly_between(a: DVec2, b: DVec2, p: DVec2) -> bool {
+    precedes(a, p) == precedes(p, b) && p != a && p != b
 }
 
 /// Whether `a` comes before `b` in lexicographic order: along any line, one of its two directions.
