@@ -72,7 +72,8 @@ impl Shape {
 
     /// R = l0 l1 l2 / 4A.
     fn relative_circumradius(&self) -> f64 {
-        self.edges.into_iter().product::<f64>() / (2.0 * self.cross)
+        // Whatever rounds: no circle through both ends of an edge of length one is smaller.
+        (self.edges.into_iter().product::<f64>() / (2.0 * self.cross)).max(0.5)
     }
 
     /// r_in = 2A / (l0 + l1 + l2).

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::angle::degrees;
-use super::scale::scale;
+use super::scale::{length, scale, scaled};
 
 /// The six edges, as pairs of corners, each followed by the two corners of the opposite edge.
 ///
@@ -22,11 +22,9 @@ pub const EDGES: [[usize; 4]; 6] = [
 /// Rounded: use `orient3d` for the sign.
 #[must_use]
 pub fn signed_volume(corners: [DVec3; 4]) -> f64 {
-    let Spanned {
-        unit,
-        edges: [u, v, w],
-    } = spanned(corners);
-    u.dot(v.cross(w)) / 6.0 * unit * unit * unit
+    let spanned = spanned(corners);
+    let unit = spanned.unit;
+    spanned.determinant() / 6.0 * unit * unit * unit
 }
 
 /// Radius of the sphere through the corners, unit of length; infinite when the volume is zero.
@@ -111,11 +109,11 @@ pub fn dihedral_angles(corners: [DVec3; 4]) -> [f64; 6] {
 
 /// The angle at edge `pq` between the facets that lead to `r` and to `s`.
 fn dihedral_angle([p, q, r, s]: [DVec3; 4]) -> f64 {
-    let edge = q - p;
-    let (toward_r, toward_s) = (edge.cross(r - p), edge.cross(s - p));
+    let [edge, r, s] = [q - p, r - p, s - p].map(|arm| scaled(arm).1);
+    let (toward_r, toward_s) = (edge.cross(r), edge.cross(s));
     // |m × n| = |edge| |det|: no second cross product, which would cancel in thin elements.
     degrees(
-        edge.length() * toward_r.dot(s - p).abs(),
+        edge.length() * toward_r.dot(s).abs(),
         toward_r.dot(toward_s),
     )
 }
@@ -143,23 +141,34 @@ impl Spanned {
     /// In units of `unit`, as all below.
     fn circumradius(&self) -> f64 {
         let [u, v, w] = self.edges;
-        let (vw, wu, uv) = (v.cross(w), w.cross(u), u.cross(v));
-        let determinant = u.dot(vw);
+        let determinant = self.determinant().abs();
         if determinant == 0.0 {
             return f64::INFINITY;
         }
+        let [vw, wu, uv] = [v.cross(w), w.cross(u), u.cross(v)];
         let toward_center =
             u.length_squared() * vw + v.length_squared() * wu + w.length_squared() * uv;
-        toward_center.length() / (2.0 * determinant.abs())
+        // Whatever rounds: no sphere through both ends of an edge of length one is smaller.
+        (length(toward_center) / (2.0 * determinant)).max(0.5)
     }
 
     /// r = 3 V / S, with 6 V the determinant and 2 S the sum of the lengths of the four normals.
     fn inradius(&self) -> f64 {
         let [u, v, w] = self.edges;
         let normals = [v.cross(w), w.cross(u), u.cross(v), (v - u).cross(w - u)];
-        match u.dot(v.cross(w)).abs() {
+        match self.determinant().abs() {
             0.0 => 0.0,
-            determinant => determinant / normals.map(DVec3::length).into_iter().sum::<f64>(),
+            determinant => determinant / normals.map(length).into_iter().sum::<f64>(),
+        }
+    }
+
+    /// Six times the signed volume; exactly 0 when two corners coincide.
+    fn determinant(&self) -> f64 {
+        let [u, v, w] = self.edges;
+        if u == v || v == w || w == u {
+            0.0
+        } else {
+            u.dot(v.cross(w))
         }
     }
 
@@ -173,7 +182,7 @@ impl Spanned {
 
     fn lengths(&self) -> [f64; 6] {
         let [u, v, w] = self.edges;
-        [u, v, w, v - u, w - u, w - v].map(DVec3::length)
+        [u, v, w, v - u, w - u, w - v].map(length)
     }
 }
 
@@ -249,6 +258,32 @@ mod tests {
         assert_eq!([circumradius(t), radius_edge_ratio(t)], [f64::INFINITY; 2]);
         assert_eq!((signed_volume(t), longest_edge(t)), (0.0, 0.0));
         assert_eq!(dihedral_angles(t), [0.0; 6]);
+    }
+
+    #[test]
+    fn two_equal_corners_have_the_worst_values() {
+        let [a, b, c] = [[0.1, 0.7, 0.3], [0.2, 0.9, 0.6], [0.4, 0.15, 0.35]].map(DVec3::from);
+        for t in [[a, a, b, c], [b, a, a, c], [a, b, c, a], [b, a, c, a]] {
+            assert_eq!([circumradius(t), radius_edge_ratio(t)], [f64::INFINITY; 2]);
+            assert_eq!(
+                (signed_volume(t), radius_ratio(t), inradius_quality(t)),
+                (0.0, 0.0, 0.0)
+            );
+        }
+    }
+
+    #[test]
+    fn a_spire_as_slender_as_coordinates_allow_keeps_its_values() {
+        let tiny = 2f64.powi(-142);
+        let t = corners([
+            [0.0; 3],
+            [tiny, 0.0, 0.0],
+            [0.0, tiny, 0.0],
+            [0.0, 0.0, 2f64.powi(201)],
+        ]);
+        assert_eq!(circumradius(t), 2f64.powi(200));
+        assert_eq!(radius_edge_ratio(t), 2f64.powi(342));
+        assert_eq!(dihedral_angles(t)[..3], [90.0; 3]);
     }
 
     #[test]

@@ -4,10 +4,10 @@
 //! Voronoi vertex is needed for that, so triangles with huge circumcircles, common along the hull, do
 //! no harm: their centers lie outside the window and are never computed.
 
-use super::circumcenter::circumcenter;
 use super::convex::ConvexPolygon;
 use super::delaunay::Delaunay2;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::measure::triangle::circumcenter;
 use glam::DVec2;
 
 /// The Voronoi diagram of the vertices, see [`Delaunay2::voronoi`].
@@ -65,8 +65,7 @@ impl Voronoi<'_> {
     /// When there is no face `f` or it is a ghost.
     #[must_use]
     pub fn vertex(&self, f: FaceId) -> DVec2 {
-        let [a, b, c] = self.delaunay.triangle(f);
-        circumcenter(a, b, c)
+        circumcenter(self.delaunay.triangle(f))
     }
 
     /// All Voronoi edges, each with the Delaunay half-edge that it crosses from right to left.

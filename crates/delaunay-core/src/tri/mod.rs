@@ -8,7 +8,7 @@
 //! | all points | `build.rs` |
 //! | one point less | `remove.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
-//! | the Voronoi diagram | `dual.rs`, `circumcenter.rs`, `convex.rs` |
+//! | the Voronoi diagram | `dual.rs`, `convex.rs` |
 //! | invariants | `check.rs` |
 
 mod around;
@@ -16,7 +16,6 @@ mod build;
 mod canonical;
 mod cavity;
 mod check;
-mod circumcenter;
 mod convex;
 mod delaunay;
 mod dual;
