@@ -6,9 +6,9 @@
 //! | name | meaning | range, best | source |
 //! |---|---|---|---|
 //! | `radius_edge_ratio` | r/l, circumradius over shortest edge | [1/√3, ∞] triangle, [√6/4, ∞] tetrahedron; small is good | blocking §4.1, sinks §4.3 |
-//! | [`triangle::radius_ratio`], [`facet::radius_ratio`] | 2 r_in/R | [0, 1], 1 for the equilateral | bubbles, eq. 10 |
-//! | [`tetrahedron::radius_ratio`] | 3 r_in/R | [0, 1], 1 for the regular | |
-//! | [`tetrahedron::inradius_quality`] | Q = 2√6 r_in over longest edge | [0, 1], 1 for the regular | CVT, §2.2 |
+//! | [`triangle::radius_ratio`], [`facet::radius_ratio`] | twice inradius over circumradius | [0, 1], 1 for the equilateral | bubbles, eq. 10 |
+//! | [`tetrahedron::radius_ratio`] | three times inradius over circumradius | [0, 1], 1 for the regular | |
+//! | [`tetrahedron::inradius_quality`] | Q = 2√6 inradius over longest edge | [0, 1], 1 for the regular | CVT, §2.2 |
 //! | [`quad::scaled_jacobian`] | least sine of a corner angle | [-1, 1], 1 for the rectangle | |
 //!
 //! - [`triangle`] measures triangles in the plane, [`facet`] triangles in space; the other modules are named

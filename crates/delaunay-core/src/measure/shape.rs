@@ -62,7 +62,7 @@ impl Shape {
         }
     }
 
-    /// 2 r_in / R, and not above 1 by rounding; 0 for an area of zero.
+    /// Twice inradius over circumradius, and not above 1 by rounding; 0 for an area of zero.
     pub(super) fn radius_ratio(&self) -> f64 {
         if self.cross == 0.0 {
             return 0.0;
@@ -70,13 +70,13 @@ impl Shape {
         (2.0 * self.relative_inradius() / self.relative_circumradius()).min(1.0)
     }
 
-    /// R = l0 l1 l2 / 4A.
+    /// l0 l1 l2 / 4A.
     fn relative_circumradius(&self) -> f64 {
         // Whatever rounds: no circle through both ends of an edge of length one is smaller.
         (self.edges.into_iter().product::<f64>() / (2.0 * self.cross)).max(0.5)
     }
 
-    /// r_in = 2A / (l0 + l1 + l2).
+    /// 2A / (l0 + l1 + l2).
     fn relative_inradius(&self) -> f64 {
         self.cross / self.edges.into_iter().sum::<f64>()
     }
