@@ -17,6 +17,7 @@ mod planar_graph;
 mod read;
 pub mod svg;
 pub mod triangle;
+pub mod vtu;
 mod write;
 pub mod xy;
 

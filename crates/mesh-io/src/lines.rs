@@ -144,7 +144,7 @@ impl<'a> Line<'a> {
 }
 
 /// A piece of the file for a message, shortened and without control characters.
-fn quoted(found: &str) -> String {
+pub(crate) fn quoted(found: &str) -> String {
     const SHOWN: usize = 24;
     let shown = found.chars().take(SHOWN).map(|c| {
         if c.is_control() {

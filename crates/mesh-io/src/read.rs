@@ -7,7 +7,7 @@ use crate::error::{ReadError, ReadProblem};
 use crate::format::Format;
 use crate::mesh::Mesh;
 use crate::planar_graph::PlanarGraph;
-use crate::{circles_toml, msh, off, triangle, xy};
+use crate::{circles_toml, msh, off, triangle, vtu, xy};
 
 /// The mesh in a file of any format that holds one.
 ///
@@ -31,6 +31,7 @@ pub fn read_mesh(path: &Path) -> Result<Mesh, ReadError> {
         Format::TriangleNode => triangle::parse_node(bytes).map(Mesh::from),
         Format::TriangleEle => triangle::parse_ele(bytes, nodes_beside(path)?),
         Format::TrianglePoly => Ok(triangle::parse_poly(bytes, || nodes_beside(path))?.as_mesh()),
+        Format::Vtu => vtu::parse(bytes),
         _ => Err(unsupported(format, "a mesh")),
     })
 }

@@ -11,7 +11,7 @@ use crate::format::Format;
 use crate::mesh::Mesh;
 use crate::numbers::Encoding;
 use crate::planar_graph::PlanarGraph;
-use crate::{circles_toml, msh, off, triangle, xy};
+use crate::{circles_toml, msh, off, triangle, vtu, xy};
 
 /// Writes a mesh, as a whole or not at all. Cells are never left out; markers and data are where a format has no place for them.
 ///
@@ -30,6 +30,7 @@ pub fn write_mesh(path: &Path, mesh: &Mesh) -> Result<(), WriteError> {
         Format::Off => off::write(out, mesh),
         Format::Msh => msh::write(out, mesh, &[], Encoding::Ascii),
         Format::TrianglePoly => triangle::write_poly(out, &graph_of(mesh)?),
+        Format::Vtu => vtu::write(out, mesh),
         _ => Err(unsupported(format, "a mesh")),
     })
 }

@@ -1,0 +1,33 @@
+//! VTU, the XML unstructured grids of VTK: what ParaView opens.
+//!
+//! Written as inline base64 of little-endian numbers, not compressed; read as ASCII, inline or appended (raw or base64), plain or
+//! compressed by zlib, in either byte order. Integer arrays named `marker` are the markers.
+//!
+//! Own code over `quick-xml`, `base64` and `flate2` rather than `vtkio`: only arrays cut out of the bytes at hand can promise that no
+//! size claimed in a file is believed.
+
+mod array;
+mod read;
+mod write;
+
+pub use read::parse;
+pub use write::write;
+
+use crate::cell::CellKind;
+
+/// Name of the integer arrays that hold markers.
+const MARKER: &str = "marker";
+
+/// VTK's number of a kind of cell.
+const fn vtk_type(kind: CellKind) -> u8 {
+    match kind {
+        CellKind::Vertex => 1,
+        CellKind::Segment => 3,
+        CellKind::Triangle => 5,
+        CellKind::Quad => 9,
+        CellKind::Tetrahedron => 10,
+        CellKind::Hexahedron => 12,
+        CellKind::Wedge => 13,
+        CellKind::Pyramid => 14,
+    }
+}
