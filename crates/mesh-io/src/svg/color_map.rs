@@ -49,12 +49,14 @@ impl ColorMap {
     }
 
     /// The class of a value, from 0 to `CLASSES - 1`; values outside the interval go to its ends. `None` for NaN.
+    ///
+    /// A value that is a border between classes up to rounding, such as a right angle, is in the upper one on every machine.
     #[must_use]
     pub fn class(&self, value: f64) -> Option<usize> {
         if value.is_nan() {
             return None;
         }
-        let fraction = (value - self.low) / (self.high - self.low);
+        let fraction = (value - self.low) / (self.high - self.low) + 1e-9;
         let class = (fraction * Self::CLASSES as f64).clamp(0.0, (Self::CLASSES - 1) as f64);
         Some(if class.is_nan() { 0 } else { class as usize })
     }
@@ -94,6 +96,13 @@ mod tests {
         assert_eq!(map.color(-1e300), map.color(0.0));
         assert_eq!(map.color(f64::INFINITY), map.color(90.0));
         assert_eq!(map.color(f64::NAN), Color::WHITE);
+    }
+
+    #[test]
+    fn rounding_does_not_move_a_border_value_to_another_class() {
+        let map = ColorMap::new(0.0, 90.0);
+        assert_eq!(map.class(45.0 - 1e-13), Some(ColorMap::CLASSES / 2));
+        assert_eq!(map.class(45.0 + 1e-13), Some(ColorMap::CLASSES / 2));
     }
 
     #[test]
