@@ -3,7 +3,8 @@
 
 mod inputs;
 
-use geo_predicates::Sign;
+use geo_predicates::filter::{Filter2, Filter3, Relative2, Relative3};
+use geo_predicates::{DVec2, DVec3, Sign};
 use inputs::{Kind, QUERIES, flat, solid};
 use std::hint::black_box;
 use std::time::Instant;
@@ -46,6 +47,8 @@ fn main() {
             |&[a, b, c, d, e]| geo_predicates::in_sphere(a, b, c, d, e),
         );
     }
+    strips();
+    strips_in_space();
 }
 
 fn row<Q>(
@@ -59,27 +62,140 @@ fn row<Q>(
         assert_eq!(Sign::of(theirs(query)), ours(query), "{name}, {kind:?}");
     }
     let repeats = if kind == Kind::Generic { 40 } else { 4 };
-    let count = |positive: usize| black_box(positive);
-    let rounds = (0..ROUNDS).map(|_| {
-        let theirs = seconds(repeats, || {
-            count(queries.iter().filter(|query| theirs(query) > 0.0).count())
-        });
-        let ours = seconds(repeats, || {
-            count(
-                queries
-                    .iter()
-                    .filter(|query| ours(query) == Sign::Positive)
-                    .count(),
-            )
-        });
-        (theirs, ours)
-    });
+    race(
+        &format!("{name:<12} {kind:?}"),
+        repeats,
+        || queries.iter().filter(|query| theirs(query) > 0.0).count(),
+        || {
+            queries
+                .iter()
+                .filter(|query| ours(query) == Sign::Positive)
+                .count()
+        },
+    );
+}
+
+/// The kernel's form: one query point, vertices met one after the other and kept relative to it.
+fn strips() {
+    let filter = Filter2::GENERAL;
+    let (p, points) = inputs::planar_strip();
+    let seen = |&point: &DVec2| Relative2::new(point, p);
+    race(
+        "orient2d     strip",
+        40,
+        || {
+            let edges = points.windows(2);
+            edges
+                .filter(|v| robust::orient2d(flat(v[0]), flat(v[1]), flat(p)) > 0.0)
+                .count()
+        },
+        || {
+            let mut a = seen(&points[0]);
+            let left = |b: &DVec2| {
+                let b = seen(b);
+                let sign = filter.orient_relative(&a, &b);
+                a = b;
+                sign == Some(Sign::Positive)
+            };
+            points[1..].iter().map(left).filter(|&left| left).count()
+        },
+    );
+    race(
+        "in_circle    strip",
+        40,
+        || {
+            let [b, mut c] = [points[0], points[1]];
+            let inside = |&a: &DVec2| {
+                let sign = robust::incircle(flat(a), flat(b), flat(c), flat(p));
+                c = a;
+                sign > 0.0
+            };
+            points[2..]
+                .iter()
+                .map(inside)
+                .filter(|&inside| inside)
+                .count()
+        },
+        || {
+            let [b, mut c] = [seen(&points[0]), seen(&points[1])];
+            let mut bc = b.cross(&c);
+            let inside = |a: &DVec2| {
+                let a = seen(a);
+                let crosses = [bc, c.cross(&a), a.cross(&b)];
+                let sign = filter.in_circle_crossed([&a, &b, &c], crosses);
+                (bc, c) = (b.cross(&a), a);
+                sign == Some(Sign::Positive)
+            };
+            points[2..]
+                .iter()
+                .map(inside)
+                .filter(|&inside| inside)
+                .count()
+        },
+    );
+}
+
+fn strips_in_space() {
+    let filter = Filter3::GENERAL;
+    let (p, points) = inputs::spatial_strip();
+    let seen = |&point: &DVec3| Relative3::new(point, p);
+    race(
+        "orient3d     strip",
+        40,
+        || {
+            let facets = points.windows(3).map(|v| [v[0], v[1], v[2], p].map(solid));
+            facets
+                .filter(|&[a, b, c, p]| robust::orient3d(a, b, c, p) < 0.0)
+                .count()
+        },
+        || {
+            let [mut a, mut b] = [seen(&points[0]), seen(&points[1])];
+            let above = |c: &DVec3| {
+                let c = seen(c);
+                let sign = filter.orient_relative(&a, &b, &c);
+                (a, b) = (b, c);
+                sign == Some(Sign::Positive)
+            };
+            points[2..].iter().map(above).filter(|&above| above).count()
+        },
+    );
+    race(
+        "in_sphere    strip",
+        40,
+        || {
+            let tetrahedra = points
+                .windows(4)
+                .map(|v| [v[0], v[1], v[2], v[3], p].map(solid));
+            tetrahedra
+                .filter(|&[a, b, c, d, p]| robust::insphere(a, b, c, d, p) < 0.0)
+                .count()
+        },
+        || {
+            let [mut a, mut b, mut c] = [seen(&points[0]), seen(&points[1]), seen(&points[2])];
+            let inside = |d: &DVec3| {
+                let d = seen(d);
+                let sign = filter.in_sphere_relative(&a, &b, &c, &d);
+                (a, b, c) = (b, c, d);
+                sign == Some(Sign::Positive)
+            };
+            points[3..]
+                .iter()
+                .map(inside)
+                .filter(|&inside| inside)
+                .count()
+        },
+    );
+}
+
+/// Median times per query of two ways to the same count, in interleaved rounds.
+fn race(name: &str, repeats: usize, theirs: impl Fn() -> usize, ours: impl Fn() -> usize) {
+    assert_eq!(theirs(), ours(), "{name}");
+    let rounds = (0..ROUNDS).map(|_| (seconds(repeats, &theirs), seconds(repeats, &ours)));
     let (theirs, ours): (Vec<f64>, Vec<f64>) = rounds.unzip();
-    let [theirs, ours] =
-        [theirs, ours].map(|times| median(times) * 1e9 / (repeats * QUERIES) as f64);
-    let kind = format!("{kind:?}");
+    let each = 1e9 / (repeats * QUERIES) as f64;
+    let [theirs, ours] = [theirs, ours].map(|times| median(times) * each);
     println!(
-        "{name:<12} {kind:<8} {theirs:>9.2} {ours:>9.2} {:>6.2}",
+        "{name:<21} {theirs:>9.2} {ours:>9.2} {:>6.2}",
         theirs / ours
     );
 }
@@ -87,7 +203,7 @@ fn row<Q>(
 fn seconds(repeats: usize, work: impl Fn() -> usize) -> f64 {
     let start = Instant::now();
     for _ in 0..repeats {
-        work();
+        black_box(work());
     }
     start.elapsed().as_secs_f64()
 }
