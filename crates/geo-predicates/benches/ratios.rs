@@ -78,7 +78,8 @@ fn row<Q>(
 /// The kernel's form: one query point, vertices met one after the other and kept relative to it.
 fn strips() {
     let filter = Filter2::GENERAL;
-    let (p, points) = inputs::planar_strip();
+    let p = DVec2::new(30.1, 29.3);
+    let points = inputs::planar::<1>(Kind::Generic).concat();
     let seen = |&point: &DVec2| Relative2::new(point, p);
     race(
         "orient2d     strip",
@@ -137,7 +138,8 @@ fn strips() {
 
 fn strips_in_space() {
     let filter = Filter3::GENERAL;
-    let (p, points) = inputs::spatial_strip();
+    let p = DVec3::new(30.1, 29.3, 31.7);
+    let points = inputs::spatial::<1>(Kind::Generic).concat();
     let seen = |&point: &DVec3| Relative3::new(point, p);
     race(
         "orient3d     strip",

@@ -1,6 +1,6 @@
 //! Which way points turn: orientation in the plane and in space.
 
-use crate::filter::{Filter2, Filter3, Relative3};
+use crate::filter::{Filter2, Filter3};
 use crate::grid::{Grid, cross, minus};
 use crate::sign::Sign;
 use crate::statistics::{Predicate, Stage, record};
@@ -28,9 +28,8 @@ pub fn orient2d(a: DVec2, b: DVec2, c: DVec2) -> Sign {
 #[inline]
 #[must_use]
 pub fn orient3d(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> Sign {
-    let [ad, bd, cd] = [a, b, c].map(|corner| Relative3::new(corner, d));
     Filter3::GENERAL
-        .orient_relative(&ad, &bd, &cd)
+        .orient3d(a, b, c, d)
         .unwrap_or_else(|| exact_orient3d(a, b, c, d))
 }
 

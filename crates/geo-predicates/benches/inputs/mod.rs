@@ -63,24 +63,6 @@ pub(crate) fn spatial<const N: usize>(kind: Kind) -> Vec<[DVec3; N]> {
     (0..QUERIES).map(query).collect()
 }
 
-/// A query point in the middle of the generic points of the plane, and those points: what a kernel
-/// meets one after the other when it walks to the query point or digs a cavity round it.
-pub(crate) fn planar_strip() -> (DVec2, Vec<DVec2>) {
-    (
-        DVec2::new(30.1, 29.3),
-        planar::<1>(Kind::Generic).into_iter().flatten().collect(),
-    )
-}
-
-/// As [`planar_strip`], in space.
-pub(crate) fn spatial_strip() -> (DVec3, Vec<DVec3>) {
-    let query = DVec3::new(30.1, 29.3, 31.7);
-    (
-        query,
-        spatial::<1>(Kind::Generic).into_iter().flatten().collect(),
-    )
-}
-
 /// A lattice point at distance 5 from the origin.
 fn pythagorean2(rng: &mut ChaCha8Rng) -> DVec2 {
     let (x, y) = [(3.0, 4.0), (4.0, 3.0), (5.0, 0.0), (0.0, 5.0)][rng.random_range(0..4)];
