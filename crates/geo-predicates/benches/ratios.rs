@@ -3,7 +3,9 @@
 
 mod inputs;
 
-use geo_predicates::filter::{Filter2, Filter3, Relative2, Relative3};
+use geo_predicates::filter::{
+    Filter2, Filter3, Relative2, Relative3, StaticFilter2, StaticFilter3,
+};
 use geo_predicates::{DVec2, DVec3, Sign};
 use inputs::{Kind, QUERIES, flat, solid};
 use std::hint::black_box;
@@ -47,6 +49,7 @@ fn main() {
             |&[a, b, c, d, e]| geo_predicates::in_sphere(a, b, c, d, e),
         );
     }
+    fixed();
     strips();
     strips_in_space();
 }
@@ -70,6 +73,100 @@ fn row<Q>(
             queries
                 .iter()
                 .filter(|query| ours(query) == Sign::Positive)
+                .count()
+        },
+    );
+}
+
+/// Static filters for the box of the generic points.
+fn fixed() {
+    let filter = StaticFilter2::of_box(DVec2::ZERO, DVec2::splat(60.0));
+    let queries = inputs::planar(Kind::Generic);
+    race(
+        "orient2d     static",
+        40,
+        || {
+            let positive =
+                |&&[a, b, c]: &&[DVec2; 3]| robust::orient2d(flat(a), flat(b), flat(c)) > 0.0;
+            queries.iter().filter(positive).count()
+        },
+        || {
+            let sign = |&[a, b, c]: &[DVec2; 3]| {
+                filter
+                    .orient2d(a, b, c)
+                    .unwrap_or_else(|| geo_predicates::orient2d(a, b, c))
+            };
+            queries
+                .iter()
+                .filter(|query| sign(query) == Sign::Positive)
+                .count()
+        },
+    );
+    let queries = inputs::planar(Kind::Generic);
+    race(
+        "in_circle    static",
+        40,
+        || {
+            let queries = queries.iter().map(|corners: &[DVec2; 4]| corners.map(flat));
+            queries
+                .filter(|&[a, b, c, d]| robust::incircle(a, b, c, d) > 0.0)
+                .count()
+        },
+        || {
+            let sign = |&[a, b, c, d]: &[DVec2; 4]| {
+                let sign = filter.in_circle(a, b, c, d);
+                sign.unwrap_or_else(|| geo_predicates::in_circle(a, b, c, d))
+            };
+            queries
+                .iter()
+                .filter(|query| sign(query) == Sign::Positive)
+                .count()
+        },
+    );
+    let filter = StaticFilter3::of_box(DVec3::ZERO, DVec3::splat(60.0));
+    let queries = inputs::spatial(Kind::Generic);
+    race(
+        "orient3d     static",
+        40,
+        || {
+            let queries = queries
+                .iter()
+                .map(|corners: &[DVec3; 4]| corners.map(solid));
+            queries
+                .filter(|&[a, b, c, d]| robust::orient3d(a, b, c, d) < 0.0)
+                .count()
+        },
+        || {
+            let sign = |&[a, b, c, d]: &[DVec3; 4]| {
+                let sign = filter.orient3d(a, b, c, d);
+                sign.unwrap_or_else(|| geo_predicates::orient3d(a, b, c, d))
+            };
+            queries
+                .iter()
+                .filter(|query| sign(query) == Sign::Positive)
+                .count()
+        },
+    );
+    let queries = inputs::spatial(Kind::Generic);
+    race(
+        "in_sphere    static",
+        40,
+        || {
+            let queries = queries
+                .iter()
+                .map(|corners: &[DVec3; 5]| corners.map(solid));
+            queries
+                .filter(|&[a, b, c, d, e]| robust::insphere(a, b, c, d, e) < 0.0)
+                .count()
+        },
+        || {
+            let sign = |&[a, b, c, d, e]: &[DVec3; 5]| {
+                let sign = filter.in_sphere(a, b, c, d, e);
+                sign.unwrap_or_else(|| geo_predicates::in_sphere(a, b, c, d, e))
+            };
+            queries
+                .iter()
+                .filter(|query| sign(query) == Sign::Positive)
                 .count()
         },
     );

@@ -59,8 +59,8 @@
 //! 3. Coordinates further apart: floating-point expansions (the `robust` crate), or integers of
 //!    any length where that has no such predicate or the degree is too high for doubles.
 //!
-//! There is no filter with one bound for a whole bounding box: measured, it decides no case sooner
-//! than the relative filter, whose bound costs three operations.
+//! A kernel may put a static filter, with one bound for a whole bounding box, before the first
+//! stage, or call the filters itself with vectors relative to its query point.
 //!
 //! # Ranges and errors
 //!

@@ -69,9 +69,11 @@
 //! batches (no gain for `orient2d`, 1.3 times for `orient3d`, 1.7 times for `in_circle`; the
 //! relative form gains more).
 
+mod fixed;
 mod plane;
 mod space;
 
+pub use fixed::{StaticFilter2, StaticFilter3};
 pub use plane::{Cross, Filter2, Relative2};
 pub(crate) use plane::{in_diametral_circle, power_circle};
 pub use space::{Filter3, Relative3};

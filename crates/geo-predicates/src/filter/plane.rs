@@ -103,7 +103,7 @@ impl Filter2 {
 
     #[inline(always)]
     fn orient(&self, a: DVec2, b: DVec2) -> Option<Sign> {
-        let (left, right) = (a.x * b.y, a.y * b.x);
+        let (left, right) = orient2d_products(a, b);
         certain(
             Predicate::Orient2d,
             left - right,
@@ -122,15 +122,25 @@ impl Filter2 {
     #[inline(always)]
     #[must_use]
     pub fn in_circle_crossed(&self, corners: [&Relative2; 3], crosses: [Cross; 3]) -> Option<Sign> {
-        let [a, b, c] = corners.map(|corner| corner.lift);
-        let [bc, ca, ab] = crosses.map(|cross| cross.0);
-        let sum = a + b + c;
-        certain(
-            Predicate::InCircle,
-            a * bc + b * ca + c * ab,
-            self.circle * (sum * sum),
-        )
+        let sum = corners[0].lift + corners[1].lift + corners[2].lift;
+        let inside = in_circle_determinant(corners, crosses);
+        certain(Predicate::InCircle, inside, self.circle * (sum * sum))
     }
+}
+
+/// The two products whose difference is the doubled area of the origin, `a`, `b`.
+#[inline(always)]
+pub(super) fn orient2d_products(a: DVec2, b: DVec2) -> (f64, f64) {
+    (a.x * b.y, a.y * b.x)
+}
+
+/// How far the origin is below the plane of the lifted `[a, b, c]`, times their area, from the
+/// crosses `[bc, ca, ab]`.
+#[inline(always)]
+pub(super) fn in_circle_determinant(corners: [&Relative2; 3], crosses: [Cross; 3]) -> f64 {
+    let [a, b, c] = corners.map(|corner| corner.lift);
+    let [bc, ca, ab] = crosses.map(|cross| cross.0);
+    a * bc + b * ca + c * ab
 }
 
 /// `in_diametral_circle(a, b, p)` of the vectors from `p` to `a` and `b`.

@@ -77,8 +77,7 @@ impl Filter3 {
     #[inline(always)]
     #[must_use]
     pub fn orient_relative(&self, a: &Relative3, b: &Relative3, c: &Relative3) -> Option<Sign> {
-        let [az, bz, cz] = [a.vector.z, b.vector.z, c.vector.z];
-        let volume = az * minor(b, c) + bz * minor(c, a) + cz * minor(a, b);
+        let volume = volume(a.vector, b.vector, c.vector);
         certain(
             Predicate::Orient3d,
             -volume,
@@ -163,9 +162,16 @@ pub(crate) fn power_sphere(corners: [(DVec3, f64); 4]) -> Option<Sign> {
     )
 }
 
+/// Determinant of three rows.
+#[inline(always)]
+pub(super) fn volume(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    let minor = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;
+    a.z * minor(b, c) + b.z * minor(c, a) + c.z * minor(a, b)
+}
+
 /// How far the origin is below the hyperplane of the lifted vectors, times their volume.
 #[inline(always)]
-fn below_hyperplane(a: &Relative3, b: &Relative3, c: &Relative3, d: &Relative3) -> f64 {
+pub(super) fn below_hyperplane(a: &Relative3, b: &Relative3, c: &Relative3, d: &Relative3) -> f64 {
     let (ab, bc, cd, da) = (minor(a, b), minor(b, c), minor(c, d), minor(d, a));
     let (ac, bd) = (minor(a, c), minor(b, d));
     let [az, bz, cz, dz] = [a.vector.z, b.vector.z, c.vector.z, d.vector.z];
