@@ -67,20 +67,37 @@ impl<const N: usize> Query<N> {
         self.points.map(DVec3::from_array)
     }
 
-    /// The points' first `D` coordinates and the weights, as integers over one power of two (and
-    /// its square).
-    fn integers<const D: usize>(&self) -> ([[BigInt; D]; N], [BigInt; N]) {
-        let lowest = |values: &[f64]| values.iter().map(|&x| split(x).1).min().unwrap();
+    /// The points' first `D` coordinates, as integers over one power of two.
+    fn integers<const D: usize>(&self) -> [[BigInt; D]; N] {
+        self.over(lowest(self.points.as_flattened()))
+    }
+
+    /// As [`Query::integers`], and the weights over the square of that power.
+    fn weighted_integers<const D: usize>(&self) -> ([[BigInt; D]; N], [BigInt; N]) {
         let exponent = lowest(self.points.as_flattened()).min(lowest(&self.weights).div_euclid(2));
-        let scaled = |value: f64, exponent: i32| {
-            let (mantissa, own) = split(value);
-            BigInt::from(mantissa) << (own.min(2000) - exponent).min(2000)
-        };
         (
-            self.points
-                .map(|point| std::array::from_fn(|i| scaled(point[i], exponent))),
+            self.over(exponent),
             self.weights.map(|weight| scaled(weight, 2 * exponent)),
         )
+    }
+
+    fn over<const D: usize>(&self, exponent: i32) -> [[BigInt; D]; N] {
+        self.points
+            .map(|point| std::array::from_fn(|i| scaled(point[i], exponent)))
+    }
+}
+
+/// Exponent of a common power of two.
+fn lowest(values: &[f64]) -> i32 {
+    values.iter().map(|&x| split(x).1).min().unwrap()
+}
+
+fn scaled(value: f64, exponent: i32) -> BigInt {
+    let (mantissa, own) = split(value);
+    if mantissa == 0 {
+        BigInt::ZERO
+    } else {
+        BigInt::from(mantissa) << (own - exponent)
     }
 }
 
@@ -217,7 +234,7 @@ fn orient2d_has_no_wrong_sign() {
             let [a, b, c] = query.flat();
             orient2d(a, b, c)
         },
-        |query| orientation(&query.integers::<2>().0),
+        |query| orientation(&query.integers::<2>()),
     );
 }
 
@@ -228,7 +245,7 @@ fn orient3d_has_no_wrong_sign() {
             let [a, b, c, d] = query.solid();
             orient3d(a, b, c, d)
         },
-        |query| -orientation(&query.integers::<3>().0),
+        |query| -orientation(&query.integers::<3>()),
     );
 }
 
@@ -239,7 +256,7 @@ fn in_circle_has_no_wrong_sign() {
             let [a, b, c, d] = query.flat();
             in_circle(a, b, c, d)
         },
-        |query| lifted(&query.integers::<2>().0, &[const { BigInt::ZERO }; 4]),
+        |query| lifted(&query.integers::<2>(), &[const { BigInt::ZERO }; 4]),
     );
 }
 
@@ -250,7 +267,7 @@ fn in_sphere_has_no_wrong_sign() {
             let [a, b, c, d, e] = query.solid();
             in_sphere(a, b, c, d, e)
         },
-        |query| -lifted(&query.integers::<3>().0, &[const { BigInt::ZERO }; 5]),
+        |query| -lifted(&query.integers::<3>(), &[const { BigInt::ZERO }; 5]),
     );
 }
 
@@ -261,7 +278,7 @@ fn in_diametral_circle_has_no_wrong_sign() {
             let [a, b, p] = query.flat();
             in_diametral_circle(a, b, p)
         },
-        |query| obtuse(&query.integers::<2>().0),
+        |query| obtuse(&query.integers::<2>()),
     );
 }
 
@@ -272,7 +289,7 @@ fn in_diametral_sphere_has_no_wrong_sign() {
             let [a, b, p] = query.solid();
             in_diametral_sphere(a, b, p)
         },
-        |query| obtuse(&query.integers::<3>().0),
+        |query| obtuse(&query.integers::<3>()),
     );
 }
 
@@ -283,7 +300,7 @@ fn in_diametral_ball_has_no_wrong_sign() {
             let [a, b, c, p] = query.solid();
             in_diametral_ball(a, b, c, p)
         },
-        |query| in_ball(&query.integers().0),
+        |query| in_ball(&query.integers()),
     );
 }
 
@@ -298,7 +315,7 @@ fn power_circle_has_no_wrong_sign() {
             power_circle(a, b, c, d)
         },
         |query| {
-            let (points, weights) = query.integers::<2>();
+            let (points, weights) = query.weighted_integers::<2>();
             lifted(&points, &weights)
         },
     );
@@ -315,7 +332,7 @@ fn power_sphere_has_no_wrong_sign() {
             power_sphere(a, b, c, d, e)
         },
         |query| {
-            let (points, weights) = query.integers::<3>();
+            let (points, weights) = query.weighted_integers::<3>();
             -lifted(&points, &weights)
         },
     );
