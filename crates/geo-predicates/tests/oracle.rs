@@ -9,6 +9,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+use geo_predicates::filter::{Filter2, Filter3, Relative2, Relative3};
 use geo_predicates::{
     DVec2, DVec3, Sign, WeightedPoint2, WeightedPoint3, check_points3, check_weights, in_circle,
     in_diametral_ball, in_diametral_circle, in_diametral_sphere, in_sphere, orient2d, orient3d,
@@ -208,6 +209,14 @@ fn in_ball([a, b, c, p]: &[[BigInt; 3]; 4]) -> BigInt {
     &uu * (&uw * &vv - &vw * &uv) + &vv * (&vw * &uu - &uw * &uv) - (&uu * &vv - &uv * &uv) * ww
 }
 
+/// A filter may be in doubt, but not wrong.
+fn agree(filtered: Option<Sign>, exact: Sign) {
+    assert!(
+        filtered.is_none_or(|sign| sign == exact),
+        "{filtered:?}, not {exact:?}"
+    );
+}
+
 /// Compares `CASES` signs, and demands that each of the three occurs often.
 fn compare<const N: usize>(ours: impl Fn(&Query<N>) -> Sign, exact: impl Fn(&Query<N>) -> BigInt) {
     let mut rng = ChaCha8Rng::seed_from_u64(N as u64);
@@ -232,7 +241,12 @@ fn orient2d_has_no_wrong_sign() {
     compare::<3>(
         |query| {
             let [a, b, c] = query.flat();
-            orient2d(a, b, c)
+            let sign = orient2d(a, b, c);
+            let filter = Filter2::for_points(&query.flat());
+            let [ac, bc] = [a, b].map(|corner| Relative2::new(corner, c));
+            agree(filter.orient2d(a, b, c), sign);
+            agree(filter.orient_relative(&ac, &bc), sign);
+            sign
         },
         |query| orientation(&query.integers::<2>()),
     );
@@ -243,7 +257,13 @@ fn orient3d_has_no_wrong_sign() {
     compare::<4>(
         |query| {
             let [a, b, c, d] = query.solid();
-            orient3d(a, b, c, d)
+            let sign = orient3d(a, b, c, d);
+            let [ad, bd, cd] = [a, b, c].map(|corner| Relative3::new(corner, d));
+            for filter in [Filter3::GENERAL, Filter3::for_points(&query.solid())] {
+                agree(filter.orient3d(a, b, c, d), sign);
+                agree(filter.orient_relative(&ad, &bd, &cd), sign);
+            }
+            sign
         },
         |query| -orientation(&query.integers::<3>()),
     );
@@ -254,7 +274,11 @@ fn in_circle_has_no_wrong_sign() {
     compare::<4>(
         |query| {
             let [a, b, c, d] = query.flat();
-            in_circle(a, b, c, d)
+            let sign = in_circle(a, b, c, d);
+            let filter = Filter2::for_points(&query.flat());
+            let [ad, bd, cd] = [a, b, c].map(|corner| Relative2::new(corner, d));
+            agree(filter.in_circle_relative(&ad, &bd, &cd), sign);
+            sign
         },
         |query| lifted(&query.integers::<2>(), &[const { BigInt::ZERO }; 4]),
     );
@@ -265,7 +289,11 @@ fn in_sphere_has_no_wrong_sign() {
     compare::<5>(
         |query| {
             let [a, b, c, d, e] = query.solid();
-            in_sphere(a, b, c, d, e)
+            let sign = in_sphere(a, b, c, d, e);
+            let filter = Filter3::for_points(&query.solid());
+            let [ae, be, ce, de] = [a, b, c, d].map(|corner| Relative3::new(corner, e));
+            agree(filter.in_sphere_relative(&ae, &be, &ce, &de), sign);
+            sign
         },
         |query| -lifted(&query.integers::<3>(), &[const { BigInt::ZERO }; 5]),
     );
