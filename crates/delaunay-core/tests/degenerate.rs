@@ -5,7 +5,9 @@
 mod clouds;
 
 use delaunay_core::progress::Progress;
-use delaunay_core::{BuildError, Delaunay2, Extent, InsertError, Inserted, RemoveError, VertexId};
+use delaunay_core::{
+    BuildError, ConvexPolygon, Delaunay2, Extent, InsertError, Inserted, RemoveError, VertexId,
+};
 use glam::DVec2;
 use std::ops::ControlFlow;
 
@@ -165,6 +167,9 @@ fn the_hub_of_a_large_wheel_comes_and_goes() {
     let hub = VertexId::new(spokes as usize);
     let before = delaunay.mesh().canonical();
     assert_eq!(delaunay.mesh().neighbors(hub).count(), spokes as usize);
+    let window = ConvexPolygon::rectangle(DVec2::splat(-1.0), DVec2::splat(1.0)).unwrap();
+    let cell = delaunay.voronoi().cell(hub, &window);
+    assert!((cell.area() - 0.25 * std::f64::consts::PI).abs() < 1e-7);
     assert_eq!(delaunay.remove(hub), Ok(()));
     assert_eq!(delaunay.check(), Ok(()));
     assert_eq!(delaunay.insert(DVec2::ZERO).map(Inserted::vertex), Ok(hub));

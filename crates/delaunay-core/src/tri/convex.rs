@@ -85,6 +85,16 @@ impl ConvexPolygon {
         self.corners.is_empty()
     }
 
+    /// Whether `p` is inside or on the border.
+    #[must_use]
+    pub fn contains(&self, p: DVec2) -> bool {
+        let ends = self.corners.iter().skip(1).chain(self.corners.first());
+        let mut edges = self.corners.iter().zip(ends);
+        p.is_finite()
+            && !self.is_empty()
+            && edges.all(|(&start, &end)| orient2d(start, end, p) != Sign::Negative)
+    }
+
     /// The area, not negative beyond rounding; 0 when empty.
     #[must_use]
     pub fn area(&self) -> f64 {
@@ -110,6 +120,12 @@ impl ConvexPolygon {
             .windows(2)
             .skip(1)
             .map(|edge| [edge[0] - self.corners[0], edge[1] - self.corners[0]])
+    }
+
+    /// A polygon whose corners are known to be those of a convex one, up to rounding.
+    pub(super) fn from_rounded(mut corners: Vec<DVec2>) -> Self {
+        corners.dedup();
+        Self { corners }
     }
 
     /// Moves every corner by `offset`.
@@ -168,6 +184,18 @@ mod tests {
         square.cut(DVec2::ONE, -1.0, &mut Vec::new());
         assert!(square.is_empty());
         assert_eq!((square.area(), square.centroid()), (0.0, None));
+    }
+
+    #[test]
+    fn a_polygon_contains_its_border_and_not_what_is_infinitely_far() {
+        let triangle = polygon(&[[0.0, 0.0], [3.0, 0.0], [0.0, 3.0]]).unwrap();
+        for inside in [[1.0, 1.0], [0.0, 0.0], [1.5, 1.5]] {
+            assert!(triangle.contains(inside.into()));
+        }
+        for outside in [[1.5, 1.5_f64.next_up()], [-1.0, 0.0], [f64::NAN, 1.0]] {
+            assert!(!triangle.contains(outside.into()));
+        }
+        assert!(!ConvexPolygon::default().contains(DVec2::ZERO));
     }
 
     #[test]
