@@ -35,6 +35,18 @@ impl<'a> Numbers<'a> {
         self.at
     }
 
+    /// Length of the whole file: words of a text, bytes of a binary file.
+    pub(crate) fn length(&self) -> u128 {
+        let is_blank = |&at: &usize| self.bytes.get(at).is_none_or(u8::is_ascii_whitespace);
+        match self.encoding {
+            Encoding::Binary => self.bytes.len() as u128,
+            // Every word is followed by a blank or by the end of the file.
+            Encoding::Ascii => (0..self.bytes.len())
+                .filter(|at| !is_blank(at) && is_blank(&(at + 1)))
+                .count() as u128,
+        }
+    }
+
     /// What has not been read yet.
     pub(crate) fn rest(&self) -> &'a [u8] {
         self.bytes.get(self.at..).unwrap_or_default()
@@ -235,6 +247,15 @@ mod tests {
             Numbers::new(&[1, 2, 3], Encoding::Binary).int(format_args!("a tag")).unwrap_err(),
             @"byte 0: the file ends where a tag should follow"
         );
+    }
+
+    #[test]
+    fn a_text_is_as_long_as_its_words_and_a_binary_file_as_its_bytes() {
+        let length = |bytes: &'static [u8], encoding| Numbers::new(bytes, encoding).length();
+        assert_eq!(length(b"", Encoding::Ascii), 0);
+        assert_eq!(length(b" 1 22\n\n3", Encoding::Ascii), 3);
+        assert_eq!(length(b"1 2 ", Encoding::Ascii), 2);
+        assert_eq!(length(b"1 2 ", Encoding::Binary), 4);
     }
 
     #[test]

@@ -2,12 +2,14 @@
 
 use std::path::Path;
 
+use crate::blocks::StructuredBlocks;
 use crate::circles::CirclesDomain;
 use crate::error::{ReadError, ReadProblem};
 use crate::format::Format;
 use crate::mesh::Mesh;
+use crate::numbers::Encoding;
 use crate::planar_graph::PlanarGraph;
-use crate::{circles_toml, msh, off, triangle, vtu, xy};
+use crate::{circles_toml, connectivity_map, msh, off, plot3d, triangle, vtu, xy};
 
 /// The mesh in a file of any format that holds one.
 ///
@@ -32,8 +34,19 @@ pub fn read_mesh(path: &Path) -> Result<Mesh, ReadError> {
         Format::TriangleEle => triangle::parse_ele(bytes, nodes_beside(path)?),
         Format::TrianglePoly => Ok(triangle::parse_poly(bytes, || nodes_beside(path))?.as_mesh()),
         Format::Vtu => vtu::parse(bytes),
+        Format::Plot3dAscii | Format::Plot3dBinary => {
+            Ok(blocks_of(path, format, bytes)?.to_mesh()?)
+        }
         _ => Err(unsupported(format, "a mesh")),
     })
+}
+
+/// The blocks in a Plot3D file, with names and connections from the `.map` beside it, where there is one.
+///
+/// # Errors
+/// A [`ReadError`] that names the file, and the line or byte and the element where one is to blame. O(file).
+pub fn read_blocks(path: &Path) -> Result<StructuredBlocks, ReadError> {
+    named(path, |format, bytes| blocks_of(path, format, bytes))
 }
 
 /// The points in a file of any format that holds some; planar ones have `z = 0`.
@@ -62,6 +75,21 @@ pub fn read_planar_graph(path: &Path) -> Result<PlanarGraph, ReadError> {
         Format::TrianglePoly => triangle::parse_poly(bytes, || nodes_beside(path)),
         _ => Err(unsupported(format, "a planar graph")),
     })
+}
+
+fn blocks_of(path: &Path, format: Format, bytes: &[u8]) -> Result<StructuredBlocks, ReadError> {
+    let encoding = match format {
+        Format::Plot3dAscii => Encoding::Ascii,
+        Format::Plot3dBinary => Encoding::Binary,
+        _ => return Err(unsupported(format, "structured blocks")),
+    };
+    let grids = plot3d::parse(bytes, encoding)?;
+    let map = connectivity_map::path_beside(path);
+    if !map.exists() {
+        return Ok(grids);
+    }
+    let connected = || connectivity_map::parse(&std::fs::read(&map)?, grids);
+    connected().map_err(|error: ReadError| error.in_file(&map))
 }
 
 fn nodes_beside(path: &Path) -> Result<triangle::Nodes, ReadError> {

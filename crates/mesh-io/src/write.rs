@@ -11,7 +11,7 @@ use crate::format::Format;
 use crate::mesh::Mesh;
 use crate::numbers::Encoding;
 use crate::planar_graph::PlanarGraph;
-use crate::{circles_toml, msh, off, triangle, vtu, xy};
+use crate::{circles_toml, connectivity_map, msh, off, plot3d, triangle, vtu, xy};
 
 /// Writes a mesh, as a whole or not at all. Cells are never left out; markers and data are where a format has no place for them.
 ///
@@ -37,11 +37,15 @@ pub fn write_mesh(path: &Path, mesh: &Mesh) -> Result<(), WriteError> {
 
 /// Writes structured blocks, as a whole or not at all: as blocks where the format has them, as a mesh of quads elsewhere.
 ///
+/// Plot3D comes with a [`connectivity_map`] beside it.
+///
 /// # Errors
 /// Like [`write_mesh`]. O(nodes).
 pub fn write_blocks(path: &Path, blocks: &StructuredBlocks) -> Result<(), WriteError> {
     match format_of(path)? {
-        format @ (Format::Plot3dAscii | Format::Plot3dBinary | Format::BlockMeshDict) => {
+        Format::Plot3dAscii => write_grids_and_map(path, blocks, Encoding::Ascii),
+        Format::Plot3dBinary => write_grids_and_map(path, blocks, Encoding::Binary),
+        format @ Format::BlockMeshDict => {
             Err(unsupported(format, "structured blocks").in_file(path))
         }
         _ => {
@@ -70,6 +74,18 @@ pub fn write_planar_graph(path: &Path, graph: &PlanarGraph) -> Result<(), WriteE
         Format::TrianglePoly => write_atomically(path, |out| triangle::write_poly(out, graph)),
         format => Err(unsupported(format, "a planar graph").in_file(path)),
     }
+}
+
+fn write_grids_and_map(
+    path: &Path,
+    blocks: &StructuredBlocks,
+    encoding: Encoding,
+) -> Result<(), WriteError> {
+    let map = connectivity_map::path_beside(path);
+    let grids = Staged::fill(path, |out| plot3d::write(out, blocks, encoding))?;
+    let connections = Staged::fill(&map, |out| connectivity_map::write(out, blocks))?;
+    grids.publish()?;
+    connections.publish()
 }
 
 fn write_nodes_and_elements(path: &Path, mesh: &Mesh) -> Result<(), WriteError> {
