@@ -105,4 +105,11 @@ mod tests {
         insta::assert_snapshot!(RemoveError::NoSuchVertex { vertex }, @"v3 is not a vertex of the triangulation");
         insta::assert_snapshot!(RemoveError::RestIsFlat { vertex }, @"without v3 all vertices would lie on one line");
     }
+
+    #[test]
+    fn too_many_points_are_counted() {
+        let (count, limit) = (1 << 30, Delaunay2::MAX_POINTS);
+        insta::assert_snapshot!(BuildError::TooManyPoints { count, limit }, @"1073741824 points are more than the 536870912 that a triangulation can hold");
+        insta::assert_snapshot!(InsertError::TooManyPoints { limit }, @"the triangulation holds all the 536870912 points that it can");
+    }
 }

@@ -279,4 +279,53 @@ mod tests {
         broken.mesh.forget_vertex(vertex);
         assert_eq!(broken.check(), Err(Violation::Outgoing { vertex }));
     }
+
+    #[test]
+    fn two_separate_spheres_are_found() {
+        let mut broken = kite();
+        let [a, b, c] = [0, 1, 2].map(VertexId::new);
+        let front = broken.mesh.push_face([a, b, c]);
+        let back = broken.mesh.push_face([a, c, b]);
+        for (i, j) in [(0, 2), (1, 1), (2, 0)] {
+            broken.mesh.glue(front.half_edge(i), back.half_edge(j));
+        }
+        // Each vertex has two fans of faces now, and only one is reached.
+        let found = broken.check();
+        assert!(
+            matches!(found, Err(Violation::Outgoing { .. })),
+            "{found:?}"
+        );
+    }
+
+    #[test]
+    fn a_vertex_too_many_breaks_the_count_of_faces() {
+        let mut broken = kite();
+        let more = [4, 5, 6].map(VertexId::new);
+        broken.coords.extend([DVec2::ZERO; 3]);
+        let [a, b, c] = more;
+        let front = broken.mesh.push_face([a, b, c]);
+        let back = broken.mesh.push_face([a, c, b]);
+        for (i, j) in [(0, 2), (1, 1), (2, 0)] {
+            broken.mesh.glue(front.half_edge(i), back.half_edge(j));
+        }
+        let slots = broken.coords.len();
+        broken.mesh.index_vertices(slots);
+        let (vertices, faces) = (7, 8);
+        assert_eq!(broken.check(), Err(Violation::Euler { vertices, faces }));
+    }
+
+    #[test]
+    fn violations_name_the_elements() {
+        let [half_edge, twin] = [4, 9].map(HalfEdgeId::new);
+        let (face, vertex) = (FaceId::new(2), VertexId::new(7));
+        insta::assert_snapshot!(Violation::TwinNotMutual { half_edge, twin }, @"h4 has twin h9, whose twin is not h4");
+        insta::assert_snapshot!(Violation::TwinEndsDiffer { half_edge, twin }, @"h4 and its twin h9 do not join the same two vertices");
+        insta::assert_snapshot!(Violation::RepeatedCorner { face }, @"f2 has a vertex twice");
+        insta::assert_snapshot!(Violation::Outgoing { vertex }, @"the outgoing half-edge of v7 is missing or does not lead round all its faces");
+        insta::assert_snapshot!(Violation::Disconnected { face }, @"f2 is not connected with f0");
+        insta::assert_snapshot!(Violation::Euler { vertices: 4, faces: 7 }, @"4 vertices have 7 faces, ghosts included, instead of 2 n - 2");
+        insta::assert_snapshot!(Violation::Orientation { face }, @"the corners of f2 do not turn counterclockwise");
+        insta::assert_snapshot!(Violation::HullNotConvex { half_edge }, @"the hull is not convex where h4 ends");
+        insta::assert_snapshot!(Violation::NotDelaunay { half_edge, vertex }, @"v7 is inside the circumcircle of the face of h4");
+    }
 }

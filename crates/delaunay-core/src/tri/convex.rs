@@ -228,4 +228,10 @@ mod tests {
         let infinite = ConvexPolygon::rectangle(DVec2::ZERO, DVec2::INFINITY);
         assert!(matches!(infinite, Err(PolygonError::Coordinate(_))));
     }
+
+    #[test]
+    fn polygon_errors_name_the_corner() {
+        insta::assert_snapshot!(PolygonError::TooFewCorners { count: 2 }, @"2 corners do not bound a polygon");
+        insta::assert_snapshot!(PolygonError::NotConvex { corner: 3 }, @"the polygon is not convex and counterclockwise at corner 3");
+    }
 }

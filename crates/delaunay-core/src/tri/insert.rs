@@ -29,7 +29,10 @@ impl Inserted {
 impl Delaunay2 {
     /// Makes `p` a vertex.
     ///
-    /// It gets the id of the vertex removed last and not yet replaced, or else the next new id.
+    /// It gets the id of the vertex removed last and not yet replaced, or else the next new id. The
+    /// faces of its [`cavity`](Self::cavity) give way to its star, which takes their ids and two new
+    /// ones; all other faces keep their ids, so data beside the mesh need an update there only.
+    ///
     /// Expected time n^(1/3) to locate, then the size of the cavity, six on average in random order.
     ///
     /// # Errors

@@ -154,6 +154,9 @@ impl TriMesh {
 /// Surgery. Between calls the invariants may be broken; the caller restores them.
 impl TriMesh {
     /// Adds a face that is not glued to anything yet: each half-edge is its own twin.
+    ///
+    /// # Panics
+    /// When there are [`FaceId::LIMIT`] faces already.
     pub fn push_face(&mut self, corners: [VertexId; 3]) -> FaceId {
         let f = FaceId::new(self.faces.len());
         self.faces.push(Face {
@@ -207,7 +210,10 @@ impl TriMesh {
 
     /// Removes `f` by moving the last face into its place: the last face takes the id `f`.
     ///
-    /// No half-edge may be glued to `f` any more, nor be its corners' outgoing one.
+    /// No half-edge outside may be glued to `f` any more, and no vertex have its outgoing half-edge there.
+    ///
+    /// # Panics
+    /// When there is no face `f`.
     pub fn swap_remove_face(&mut self, f: FaceId) {
         let last = FaceId::new(self.faces.len() - 1);
         self.faces.swap_remove(f.index());
