@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use delaunay_core::progress::{Meter, Progress, silent};
 use glam::DVec2;
+use rayon::prelude::*;
 
 use crate::block::{Block, BlockId};
 use crate::blocking::Blocking;
@@ -12,6 +13,9 @@ use crate::medial_graph::ArcId;
 use crate::nodes::SideNodes;
 use crate::params::{Counts, NodeMatching, Params};
 use crate::transfinite::{BoundaryNodes, transfinite_grid};
+
+/// Arcs whose nodes are placed side by side between two reports of progress.
+const BATCH: usize = 1024;
 
 /// The structured grid of one block.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +86,7 @@ impl BlockMesh {
     /// # Errors
     /// Counts that are zero, too small for a cell not to fold, too large together, or of the wrong length; a cell size that is not positive.
     ///
-    /// O(cells). Source: Guoy & Erickson §3 and §5, equal spacing and transfinite interpolation.
+    /// O(cells), on all threads of the current rayon pool; the result does not depend on their number. Source: Guoy & Erickson §3 and §5, equal spacing and transfinite interpolation.
     pub fn of(blocking: Blocking, params: &Params) -> Result<Self, BlockingError> {
         Self::of_with(blocking, params, &mut silent)
     }
@@ -97,24 +101,18 @@ impl BlockMesh {
         report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Self, BlockingError> {
         let counts = Counts::of(&blocking, &params.cells)?;
+        let arcs: Vec<ArcId> = blocking.arc_ids().collect();
         let mut grids = Vec::with_capacity(blocking.blocks().len());
         let mut leaning = Vec::new();
-        let mut meter = Meter::start(report, "place nodes", blocking.arcs().len())?;
-        for arc in blocking.arc_ids() {
-            meter.advance()?;
-            let along =
-                blocking.nodes_along(arc, counts.along_arc[arc.index()], params.matching)?;
-            for (id, side) in [
-                (arc.right_block(), &along.right),
-                (arc.left_block(), &along.left),
-            ] {
-                grids.push(block_grid(&blocking, id, side, &counts));
-            }
-            let wall_lean = along.right.lean.max(along.left.lean);
-            if along.lean > 0.0
-                || (params.matching == NodeMatching::EqualSpacing && wall_lean > 0.0)
-            {
-                leaning.push(arc);
+        let mut meter = Meter::start(report, "place nodes", arcs.len())?;
+        for batch in arcs.chunks(BATCH) {
+            let pairs = batch
+                .par_iter()
+                .map(|&arc| PairOfGrids::of(&blocking, arc, &counts, params.matching));
+            for (pair, &arc) in pairs.collect::<Result<Vec<_>, _>>()?.into_iter().zip(batch) {
+                grids.extend(pair.grids);
+                leaning.extend(pair.leans.then_some(arc));
+                meter.advance()?;
             }
         }
         Ok(Self {
@@ -162,6 +160,33 @@ impl BlockMesh {
     /// The corners of every cell, block after block.
     pub fn cells(&self) -> impl Iterator<Item = [DVec2; 4]> + '_ {
         self.grids.iter().flat_map(BlockGrid::cells)
+    }
+}
+
+/// The grids on both sides of an arc.
+struct PairOfGrids {
+    /// To the right of the arc and to the left.
+    grids: [BlockGrid; 2],
+    /// Whether nodes are not spaced as asked for.
+    leans: bool,
+}
+
+impl PairOfGrids {
+    fn of(
+        blocking: &Blocking,
+        arc: ArcId,
+        counts: &Counts,
+        matching: NodeMatching,
+    ) -> Result<Self, BlockingError> {
+        let along = blocking.nodes_along(arc, counts.along_arc[arc.index()], matching)?;
+        let wall_leans = along.right.lean.max(along.left.lean) > 0.0;
+        let leans = along.lean > 0.0 || (matching == NodeMatching::EqualSpacing && wall_leans);
+        let sides = [
+            (arc.right_block(), along.right),
+            (arc.left_block(), along.left),
+        ];
+        let grids = sides.map(|(id, side)| block_grid(blocking, id, &side, counts));
+        Ok(Self { grids, leans })
     }
 }
 

@@ -73,9 +73,9 @@ impl ArcLength {
                 break;
             }
             if excess > 0.0 {
-                high = u
+                high = u;
             } else {
-                low = u
+                low = u;
             }
             let newton = u - excess / self.curve.speed(u);
             u = if (low..=high).contains(&newton) {

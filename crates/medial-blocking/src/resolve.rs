@@ -40,12 +40,9 @@ impl Resolved {
         let clearance = Clearance::new(domain);
         let mut samples = Samples::by_local_gap(domain, &clearance, report)?;
         for _ in 0..MAX_ROUNDS {
-            let t0 = std::time::Instant::now();
-            eprintln!("round {}", samples.len());
             let refinement = match DomainTriangulation::of(domain, &samples, report)? {
                 Err(TooCoarse(pieces)) => halved(&samples, pieces),
                 Ok(triangulation) => {
-                    eprintln!("tri {:?}", t0.elapsed());
                     let axis = SampledAxis {
                         domain,
                         samples: &samples,
@@ -53,7 +50,6 @@ impl Resolved {
                     };
                     match medial_vertices(&axis, &clearance) {
                         Ok(vertices) => {
-                            eprintln!("vert {:?}", t0.elapsed());
                             return Ok(Self {
                                 samples,
                                 triangulation,
@@ -64,7 +60,6 @@ impl Resolved {
                     }
                 }
             };
-            eprintln!("refine {} {:?}", refinement.len(), t0.elapsed());
             samples = samples.with(domain, &refinement)?;
         }
         Err(BlockingError::Unresolved)
