@@ -1,6 +1,6 @@
 //! Cells: which points they join, and in which order.
 
-/// Shape of a cell; the order of its corners is that of VTK.
+/// Shape of a cell; the order of its corners is that of Gmsh, and of VTK but for the wedge, which VTK turns round.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum CellKind {
     /// One point.
@@ -15,7 +15,7 @@ pub enum CellKind {
     Tetrahedron,
     /// Quad `0 1 2 3`, and the apex 4.
     Pyramid,
-    /// Triangles `0 1 2` and `3 4 5`, corner `k` joined to `k + 3`.
+    /// Triangles `0 1 2` and `3 4 5`, corner `k` joined to `k + 3`; counterclockwise seen from the second.
     Wedge,
     /// Quads `0 1 2 3` and `4 5 6 7`, corner `k` joined to `k + 4`.
     Hexahedron,

@@ -7,6 +7,7 @@
 //! size claimed in a file is believed.
 
 mod array;
+mod piece;
 mod read;
 mod write;
 
@@ -30,4 +31,10 @@ const fn vtk_type(kind: CellKind) -> u8 {
         CellKind::Wedge => 13,
         CellKind::Pyramid => 14,
     }
+}
+
+/// Turns the triangles of a wedge round, or back: those of VTK run clockwise seen from the inside.
+fn turn_wedge(corners: &mut [u32]) {
+    corners.swap(1, 2);
+    corners.swap(4, 5);
 }

@@ -6,7 +6,8 @@ use base64::engine::general_purpose::STANDARD;
 use base64::write::EncoderWriter;
 use quick_xml::escape::escape;
 
-use super::{MARKER, vtk_type};
+use super::{MARKER, turn_wedge, vtk_type};
+use crate::cell::CellKind;
 use crate::error::{WriteError, WriteProblem};
 use crate::format::Format;
 use crate::mesh::{DataArray, Mesh};
@@ -50,14 +51,13 @@ pub fn write(out: &mut impl Write, mesh: &Mesh) -> Result<(), WriteError> {
         mesh.points.iter().flatten().copied(),
     )?;
     out.write_all(b"</Points>\n<Cells>\n")?;
-    let corners = mesh.cells.corners();
     write_array(
         out,
         "Int64",
         "connectivity",
         1,
-        corners.len() * 8,
-        corners.iter().map(|&c| i64::from(c).to_le_bytes()),
+        mesh.cells.corners().len() * 8,
+        connectivity(mesh).map(|corner| i64::from(corner).to_le_bytes()),
     )?;
     write_array(
         out,
@@ -95,6 +95,19 @@ fn check_names(mesh: &Mesh) -> Result<(), WriteError> {
             }
             .into())
         })
+}
+
+/// The corners of all cells in VTK's order.
+fn connectivity(mesh: &Mesh) -> impl Iterator<Item = u32> {
+    mesh.cells.iter().flat_map(|cell| {
+        let count = cell.corners().len();
+        let mut corners = [0; 8];
+        corners[..count].copy_from_slice(cell.corners());
+        if cell.kind() == CellKind::Wedge {
+            turn_wedge(&mut corners);
+        }
+        corners.into_iter().take(count)
+    })
 }
 
 /// Where the corners of each cell end in the list of all corners.
@@ -161,10 +174,12 @@ fn write_array<const N: usize>(
     values: impl Iterator<Item = [u8; N]>,
 ) -> io::Result<()> {
     let name = escape(name);
-    writeln!(
-        out,
-        "<DataArray type=\"{number}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"binary\">"
-    )?;
+    write!(out, "<DataArray type=\"{number}\" Name=\"{name}\"")?;
+    if components != 1 {
+        // Where it is written, some readers make a column of a scalar.
+        write!(out, " NumberOfComponents=\"{components}\"")?;
+    }
+    out.write_all(b" format=\"binary\">\n")?;
     // Without the buffer the encoder would be asked for eight bytes at a time.
     let mut encoder =
         io::BufWriter::with_capacity(3 << 12, EncoderWriter::new(&mut *out, &STANDARD));
