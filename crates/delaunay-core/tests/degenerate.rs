@@ -195,3 +195,13 @@ fn a_build_reports_all_its_steps_and_stops_when_told() {
         other => panic!("{:?}", other.map(|_| ())),
     }
 }
+
+/// The ghost of the patch once passed for vertex 0 of the link when the hole was inside the hull.
+#[test]
+fn a_hole_whose_link_is_all_of_its_hull_is_filled_on_the_inside() {
+    let points = [[1.0, 1.0], [4.0, 2.0], [2.0, 1.0], [0.0, 0.0], [0.0, 1.0]].map(DVec2::from);
+    let mut delaunay = Delaunay2::build(&points).unwrap();
+    assert_eq!(delaunay.remove(VertexId::new(0)), Ok(()));
+    assert_eq!(delaunay.check(), Ok(()));
+    assert_eq!(delaunay.faces().count(), 2);
+}

@@ -236,7 +236,7 @@ impl TriMesh {
         }
     }
 
-    fn set_twin(&mut self, h: HalfEdgeId, twin: HalfEdgeId) {
+    pub(super) fn set_twin(&mut self, h: HalfEdgeId, twin: HalfEdgeId) {
         self.faces[h.face().index()].twin[h.corner()] = twin;
     }
 }

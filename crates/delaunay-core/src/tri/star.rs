@@ -8,7 +8,7 @@
 //!                         and two are new.
 //! ```
 
-use super::cavity::Cavity;
+use super::cavity::{Cavity, RimEdge};
 use super::mesh::{Face, TriMesh};
 use crate::ids::{FaceId, VertexId};
 
@@ -18,25 +18,33 @@ impl TriMesh {
     /// Afterwards `cavity.faces()[j]` is the new face on rim edge `j`, with `v` as its corner 0.
     /// Outgoing half-edges are left alone, see [`point_at_star`](Self::point_at_star).
     pub(super) fn fill(&mut self, cavity: &mut Cavity, v: VertexId) {
-        for _ in 0..2 {
-            cavity.faces.push(self.push_face([v; 3]));
-        }
+        let count = self.faces.len();
+        cavity.faces.extend([count, count + 1].map(FaceId::new));
         debug_assert_eq!(cavity.faces.len(), cavity.rim.len());
-        let (Some(&last), Some(&first)) = (cavity.faces.last(), cavity.rim.first()) else {
+        let (Some(&first), Some(&last)) = (cavity.faces.first(), cavity.faces.last()) else {
             return;
         };
-        let mut before = last;
-        let ends = cavity.rim.iter().skip(1).chain([&first]);
-        let after = cavity.faces.iter().skip(1).chain(cavity.faces.first());
-        for (((&f, edge), end), after) in cavity.faces.iter().zip(&cavity.rim).zip(ends).zip(after)
-        {
-            self.faces[f.index()] = Face {
-                origin: [v, edge.origin, end.origin],
-                twin: [before.half_edge(2), edge.outer, after.half_edge(0)],
-            };
-            let outer = edge.outer;
-            self.faces[outer.face().index()].twin[outer.corner()] = f.half_edge(1);
-            before = f;
+        let (mut before, mut here) = (last, first);
+        for (j, &RimEdge { origin, outer }) in cavity.rim.iter().enumerate() {
+            let after = cavity.faces.get(j + 1).copied().unwrap_or(first);
+            let end = cavity.rim.get(j + 1).unwrap_or(&cavity.rim[0]).origin;
+            self.set_twin(outer, here.half_edge(1));
+            self.put(
+                here,
+                Face {
+                    origin: [v, origin, end],
+                    twin: [before.half_edge(2), outer, after.half_edge(0)],
+                },
+            );
+            (before, here) = (here, after);
+        }
+    }
+
+    /// Stores a face in its slot, or in a new one behind the last.
+    fn put(&mut self, f: FaceId, face: Face) {
+        match self.faces.get_mut(f.index()) {
+            Some(slot) => *slot = face,
+            None => self.faces.push(face),
         }
     }
 
