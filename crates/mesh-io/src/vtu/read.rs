@@ -25,6 +25,8 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, ReadError> {
         appended,
         layout: None,
         pieces: Vec::new(),
+        line: 1,
+        counted: 0,
     }
     .read()?;
     let mut mesh = Mesh::default();
@@ -53,6 +55,9 @@ struct Document<'a> {
     appended: &'a [u8],
     layout: Option<Layout>,
     pieces: Vec<Piece>,
+    /// The line at `counted` bytes: counting on from there keeps the whole walk linear.
+    line: usize,
+    counted: usize,
 }
 
 impl<'a> Document<'a> {
@@ -87,10 +92,14 @@ impl<'a> Document<'a> {
         Ok(self.pieces)
     }
 
-    fn line_of(&self, position: usize) -> usize {
-        let before = self.xml.as_bytes().get(..position).unwrap_or_default();
+    /// The line of a position that is no less than the one before.
+    fn line_of(&mut self, position: usize) -> usize {
+        let passed = self.xml.as_bytes().get(self.counted..position);
+        let passed = passed.unwrap_or_default();
         // The event begins after the white space that the reader skips or hands out as text.
-        1 + before.iter().filter(|&&byte| byte == b'\n').count()
+        self.line += passed.iter().filter(|&&byte| byte == b'\n').count();
+        self.counted = position.max(self.counted);
+        self.line
     }
 
     fn open(
