@@ -1,6 +1,7 @@
 //! Mesh file formats: plain points, cells, markers and structured blocks, read and written without a panic.
 
 mod atomic;
+pub mod block_mesh_dict;
 mod blocks;
 mod blocks_to_mesh;
 mod cell;

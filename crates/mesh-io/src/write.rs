@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::atomic::{Staged, write_atomically};
+use crate::block_mesh_dict::{self, Thickness};
 use crate::blocks::StructuredBlocks;
 use crate::cell::Cell;
 use crate::circles::CirclesDomain;
@@ -45,9 +46,9 @@ pub fn write_blocks(path: &Path, blocks: &StructuredBlocks) -> Result<(), WriteE
     match format_of(path)? {
         Format::Plot3dAscii => write_grids_and_map(path, blocks, Encoding::Ascii),
         Format::Plot3dBinary => write_grids_and_map(path, blocks, Encoding::Binary),
-        format @ Format::BlockMeshDict => {
-            Err(unsupported(format, "structured blocks").in_file(path))
-        }
+        Format::BlockMeshDict => write_atomically(path, |out| {
+            block_mesh_dict::write(out, blocks, Thickness::default())
+        }),
         _ => {
             let mesh = blocks
                 .to_mesh()
