@@ -114,6 +114,10 @@ pub fn hard_cases() -> Vec<(&'static str, Vec<DVec2>)> {
         ("duplicates", with_duplicates(&small, 4)),
         ("tiny grid", scaled(&grid(7, 7), -140)),
         ("huge rings", scaled(&rings(), 190)),
+        (
+            "mixed scales",
+            [scaled(&grid(4, 4), -140), scaled(&grid(4, 4), 196)].concat(),
+        ),
         ("tiny uniform", scaled(&uniform(60, 5), -100)),
         ("three", grid(2, 2)[..3].to_vec()),
     ]
