@@ -1,6 +1,7 @@
 //! How many triangles of low quality share how many sinks.
 //!
 //! `cargo run --release -p sink-refine --example shared_sinks`
+#![allow(clippy::print_stdout)]
 
 use std::collections::BTreeSet;
 

@@ -1,0 +1,92 @@
+//! The generating points of a tessellation of a convex region: input, judged once.
+
+use delaunay_core::geo_predicates::{Sign, coordinate::MIN_MAGNITUDE, orient2d};
+use delaunay_core::{ConvexPolygon, Delaunay2, VertexId};
+use glam::DVec2;
+
+use crate::error::GeneratorError;
+
+/// Distinct points of a convex region, not all on one line, with their Delaunay triangulation.
+#[derive(Clone, Debug)]
+pub struct Generators {
+    region: ConvexPolygon,
+    delaunay: Delaunay2,
+}
+
+impl Generators {
+    /// The points as generators of Voronoi cells that tile `region`. Points may lie on its boundary.
+    ///
+    /// Takes the time of a Delaunay triangulation, plus points times corners of the region.
+    ///
+    /// # Errors
+    /// [`GeneratorError`] names the first point that is not accepted.
+    pub fn new(region: ConvexPolygon, points: &[DVec2]) -> Result<Self, GeneratorError> {
+        if region.is_empty() {
+            return Err(GeneratorError::EmptyRegion);
+        }
+        let delaunay = Delaunay2::build(points)?;
+        if let Some(point) = points.iter().position(|&p| !contains(&region, p)) {
+            return Err(GeneratorError::Outside { point });
+        }
+        let repeated = delaunay.duplicates().iter().next();
+        if let Some((second, first)) = repeated {
+            let (first, second) = (first.index(), second.index());
+            return Err(GeneratorError::Repeated { first, second });
+        }
+        Ok(Self { region, delaunay })
+    }
+
+    /// The region.
+    #[must_use]
+    pub fn region(&self) -> &ConvexPolygon {
+        &self.region
+    }
+
+    /// The points, in input order.
+    #[must_use]
+    pub fn points(&self) -> &[DVec2] {
+        self.delaunay.points()
+    }
+
+    /// Their Delaunay triangulation, the mesh; vertex i is point i.
+    ///
+    /// It covers the convex hull of the points, which is less than the region.
+    #[must_use]
+    pub fn delaunay(&self) -> &Delaunay2 {
+        &self.delaunay
+    }
+
+    /// The Voronoi cell of point `index`, cut off at the boundary of the region; empty when there is no such
+    /// point. The cells of all points tile the region.
+    #[must_use]
+    pub fn cell(&self, index: usize) -> ConvexPolygon {
+        if index >= self.points().len() {
+            return ConvexPolygon::default();
+        }
+        self.delaunay
+            .voronoi()
+            .cell(VertexId::new(index), &self.region)
+    }
+
+    /// The same region with the points moved; `None` when they have come to lie on one line.
+    pub(crate) fn moved(&self, points: Vec<DVec2>) -> Option<Self> {
+        let points: Vec<DVec2> = points.into_iter().map(accepted).collect();
+        let delaunay = Delaunay2::build(&points).ok()?;
+        Some(Self {
+            region: self.region.clone(),
+            delaunay,
+        })
+    }
+}
+
+/// Centers are rounded, and a coordinate that should be zero may come out too small to be accepted.
+fn accepted(point: DVec2) -> DVec2 {
+    let nearest = |x: f64| if x.abs() < MIN_MAGNITUDE { 0.0 } else { x };
+    DVec2::new(nearest(point.x), nearest(point.y))
+}
+
+fn contains(region: &ConvexPolygon, p: DVec2) -> bool {
+    let corners = region.corners();
+    let mut edges = corners.iter().zip(corners.iter().cycle().skip(1));
+    edges.all(|(&a, &b)| orient2d(a, b, p) != Sign::Negative)
+}
