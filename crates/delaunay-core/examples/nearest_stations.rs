@@ -2,6 +2,8 @@
 //!
 //! `cargo run -p delaunay-core --example nearest_stations`
 
+#![allow(clippy::print_stdout)]
+
 use delaunay_core::{ConvexPolygon, Delaunay2};
 use glam::DVec2;
 
