@@ -1,4 +1,4 @@
-//! One mesh in all the ways VTK 9.7 writes it, and VTUs that contradict themselves.
+//! One mesh in all the ways that VTK 9.7 writes it.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
