@@ -50,10 +50,11 @@ fn moments_of_cells<E>(
 pub(crate) struct Survey {
     /// The cost F.
     pub(crate) cost: f64,
-    /// The movement D: sum of the squared distances between points and mass centroids.
+    /// The movement D: sum of the squared distances between points and targets.
     pub(crate) movement: f64,
-    /// The mass centroid of each cell; the point itself where the cell is empty.
-    pub(crate) centers: Vec<DVec2>,
+    /// Where each point should go: the mass centroid of its cell, or what is nearest to that in the place to
+    /// which the point is bound; the point itself where the cell is empty.
+    pub(crate) targets: Vec<DVec2>,
 }
 
 /// One pass over all cells, a step of `meter` each; `None` when the meter says stop.
@@ -66,14 +67,17 @@ pub(crate) fn survey<E>(
     let mut survey = Survey {
         cost: 0.0,
         movement: 0.0,
-        centers: Vec::with_capacity(points.len()),
+        targets: Vec::with_capacity(points.len()),
     };
-    for (i, &point) in points.iter().enumerate() {
+    for (i, (&point, place)) in points.iter().zip(generators.places()).enumerate() {
         let moments = moments(&generators.cell(i), point)?;
-        let center = moments.mass_center(point).unwrap_or(point);
+        let target = match moments.mass_center(point) {
+            Some(center) => place.nearest(generators.region(), center),
+            None => point,
+        };
         survey.cost += moments.second;
-        survey.movement += center.distance_squared(point);
-        survey.centers.push(center);
+        survey.movement += target.distance_squared(point);
+        survey.targets.push(target);
         if meter.advance().is_err() {
             return Ok(None);
         }

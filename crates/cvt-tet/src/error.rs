@@ -24,6 +24,9 @@ pub enum GeneratorError {
         /// Index of the second.
         second: usize,
     },
+    /// Put on the boundary, all points would lie on one line.
+    #[error("on the boundary all points would lie on one line")]
+    OnOneLine,
     /// The points have no Delaunay triangulation: a coordinate is not accepted, there are too many or they
     /// all lie on one line.
     #[error(transparent)]

@@ -19,18 +19,21 @@
 //! ```
 //!
 //! In the crate today: centroidal Voronoi tessellations of convex regions of the plane (§3, figure 1), for
-//! density 1 with exact moments and for any density by quadrature. No point is put on the boundary yet (§3.4),
-//! so the triangulation covers a little less than the region and is poor along its own hull. To come: what
-//! gives the crate its name, constrained tessellations of solids and their tetrahedra (§4, §5).
+//! density 1 with exact moments and for any density by quadrature, free or with points bound to the boundary
+//! (§3.4, see [`Generators::attached`]). To come: what gives the crate its name, constrained tessellations of
+//! solids and their tetrahedra (§4, §5).
 
+mod boundary;
 mod cost;
 mod error;
 mod generators;
 mod lloyd;
 mod moments;
+mod place;
 
 pub use cost::{cost, cost_with};
 pub use error::{DensityError, GeneratorError};
 pub use generators::Generators;
 pub use lloyd::{Outcome, Params, Stop, lloyd, lloyd_with};
 pub use moments::Moments;
+pub use place::Place;

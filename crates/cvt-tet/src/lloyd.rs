@@ -1,4 +1,5 @@
-//! Lloyd's iteration (§3.2): every point moves to the mass centroid of its Voronoi cell, again and again.
+//! Lloyd's iteration (§3.2): every point moves to the mass centroid of its Voronoi cell, again and again. A
+//! point bound to the boundary moves to what is nearest to the centroid there.
 //!
 //! Neither half of a step can raise the cost: for fixed points the Voronoi cells are the cheapest tessellation,
 //! for fixed cells the mass centroids are the cheapest points. So the cost falls, down to where the points are
@@ -125,7 +126,7 @@ fn iterate<E>(
         if costs.len() > params.iterations {
             break Stop::OutOfIterations;
         }
-        match generators.moved(survey.centers) {
+        match generators.moved(survey.targets, generators.places().to_vec()) {
             Some(moved) => generators = moved,
             None => break Stop::OnOneLine,
         }

@@ -120,3 +120,13 @@ fn regions_at_the_ends_of_the_accepted_range_are_served() {
         assert!((outcome.costs.last().unwrap() / size.powi(4) - 1.0 / 24.0).abs() < 1e-5);
     }
 }
+
+#[test]
+fn points_that_the_boundary_would_line_up_are_refused() {
+    let points = [[1.0, 0.6], [5.0, 0.4], [9.0, 0.6]].map(DVec2::from);
+    let generators = Generators::new(rectangle(10.0, 1.0), &points).unwrap();
+    insta::assert_snapshot!(
+        generators.attached().unwrap_err(),
+        @"on the boundary all points would lie on one line"
+    );
+}
