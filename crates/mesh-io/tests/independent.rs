@@ -4,8 +4,15 @@
 //! passes; every other missing reader is one line of its output (`cargo test -- --nocapture`).
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "what was skipped should be seen"
+)]
 
-use mesh_io::{Cell, Cells, DataArray, Mesh, write_mesh};
+mod some_blocks;
+
+use mesh_io::{Cell, Cells, DataArray, Mesh, StructuredBlocks, write_blocks, write_mesh};
 use serde_json::{Value, json};
 use std::path::Path;
 use std::process::Command;
@@ -22,6 +29,12 @@ fn other_programs_read_what_is_written() {
         let path = folder.path().join(file);
         write_mesh(&path, &mesh).unwrap();
         expected.push(description(file, &mesh, without));
+    }
+    for (file, blocks) in blocks() {
+        let path = folder.path().join(file);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        write_blocks(&path, &blocks).unwrap();
+        expected.push(description_of_blocks(file, &blocks));
     }
     write_binary_msh(folder.path(), &mut expected);
     let list = Value::Array(expected).to_string();
@@ -40,6 +53,7 @@ fn other_programs_read_what_is_written() {
         String::from_utf8_lossy(&run.stderr)
     );
     assert!(report.contains("ok mixed.vtu with meshio"), "{report}");
+    assert!(report.contains("ok cut/blockMeshDict by hand"), "{report}");
 }
 
 fn python_with_meshio() -> Option<String> {
@@ -80,6 +94,26 @@ fn meshes() -> Vec<(&'static str, Mesh, &'static [&'static str])> {
         ("points.xyz", mesh(&cube_points(), &[]), &[]),
         ("empty.vtu", Mesh::default(), &["with_meshio"]),
     ]
+}
+
+fn blocks() -> [(&'static str, StructuredBlocks); 7] {
+    let mut lifted = some_blocks::annulus(4, 3);
+    lifted.blocks[2].points[5][2] = 0.25;
+    [
+        ("annulus.p3d", some_blocks::annulus(6, 4)),
+        ("annulus.p3b", some_blocks::annulus(6, 4)),
+        ("lifted.p3d", lifted.clone()),
+        ("lifted.p3b", lifted),
+        ("annulus/blockMeshDict", some_blocks::annulus(6, 4)),
+        ("strip/blockMeshDict", some_blocks::strip(5, 3)),
+        // Two blocks whose curves have the same ends, so that they are cut.
+        ("cut/blockMeshDict", some_blocks::ring()),
+    ]
+}
+
+fn description_of_blocks(file: &str, blocks: &StructuredBlocks) -> Value {
+    let block = |block: &mesh_io::StructuredBlock| json!({ "ni": block.ni, "nj": block.nj, "points": block.points });
+    json!({ "file": file, "blocks": blocks.blocks.iter().map(block).collect::<Vec<_>>() })
 }
 
 fn write_binary_msh(folder: &Path, expected: &mut Vec<Value>) {

@@ -1,5 +1,7 @@
 //! Structured blocks to try formats with.
 
+#![allow(dead_code, reason = "each test uses a part of it")]
+
 use mesh_io::{BlockSide, Connection, StructuredBlock, StructuredBlocks};
 use proptest::prelude::*;
 
@@ -101,4 +103,148 @@ fn link(
         reversed,
         shift,
     };
+}
+
+/// Four blocks in a ring between two walls, each numbered in another way, with `place` for the node at a fraction of the way round
+/// and from wall to wall. The last leads to the first by `shift`.
+pub(crate) fn chain(
+    around: usize,
+    across: usize,
+    place: impl Fn(f64, f64) -> [f64; 2],
+    shift: [f64; 3],
+) -> StructuredBlocks {
+    let blocks = (0..STYLES.len()).map(|block| {
+        let Style { swap, back, inward } = STYLES[block];
+        let (ni, nj) = if swap {
+            (across, around)
+        } else {
+            (around, across)
+        };
+        let node = |index: usize| {
+            let (i, j) = (index % ni, index / ni);
+            let (along, outward) = if swap { (j, i) } else { (i, j) };
+            let along = if back { around - 1 - along } else { along };
+            let outward = if inward {
+                across - 1 - outward
+            } else {
+                outward
+            };
+            let along = (block as f64 + along as f64 / (around - 1) as f64) / STYLES.len() as f64;
+            let [x, y] = place(along, outward as f64 / (across - 1) as f64);
+            [x, y, 0.0]
+        };
+        StructuredBlock {
+            name: format!("block {block}"),
+            ni,
+            nj,
+            points: (0..ni * nj).map(node).collect(),
+            sides: BlockSide::ALL.map(|side| behind(block, side, shift)),
+        }
+    });
+    StructuredBlocks {
+        blocks: blocks.collect(),
+    }
+}
+
+/// How a block is numbered: with `j` round the ring instead of `i`, the other way round, and from the outer wall inwards.
+struct Style {
+    swap: bool,
+    back: bool,
+    inward: bool,
+}
+
+const STYLES: [Style; 4] = [
+    Style {
+        swap: false,
+        back: false,
+        inward: false,
+    },
+    Style {
+        swap: true,
+        back: false,
+        inward: true,
+    },
+    Style {
+        swap: false,
+        back: true,
+        inward: true,
+    },
+    Style {
+        swap: true,
+        back: true,
+        inward: false,
+    },
+];
+
+/// The sides at the start, at the end, at the inner and at the outer wall.
+fn sides(block: usize) -> [BlockSide; 4] {
+    let Style { swap, back, inward } = STYLES[block];
+    let [i_min, i_max, j_min, j_max] = BlockSide::ALL;
+    let (mut ends, mut walls) = ([i_min, i_max], [j_min, j_max]);
+    if swap {
+        (ends, walls) = (walls, ends);
+    }
+    if back {
+        ends.reverse();
+    }
+    if inward {
+        walls.reverse();
+    }
+    [ends[0], ends[1], walls[0], walls[1]]
+}
+
+fn behind(block: usize, side: BlockSide, shift: [f64; 3]) -> Connection {
+    let count = STYLES.len();
+    let [start, end, inner, _] = sides(block);
+    let to = |other: usize, there: usize, shift| {
+        let reversed = STYLES[block].inward != STYLES[other].inward;
+        Connection::Block {
+            block: other,
+            side: sides(other)[there],
+            reversed,
+            shift,
+        }
+    };
+    if side == start {
+        let shift = if block == 0 {
+            shift.map(|along| 0.0 - along)
+        } else {
+            [0.0; 3]
+        };
+        to((block + count - 1) % count, 1, shift)
+    } else if side == end {
+        to(
+            (block + 1) % count,
+            0,
+            if block + 1 == count { shift } else { [0.0; 3] },
+        )
+    } else {
+        Connection::Patch(
+            if side == inner {
+                "inner wall"
+            } else {
+                "outer wall"
+            }
+            .into(),
+        )
+    }
+}
+
+/// A ring between two circles.
+pub(crate) fn annulus(around: usize, across: usize) -> StructuredBlocks {
+    let place = |along: f64, outward: f64| {
+        // The end is the start, to the last bit.
+        let (sin, cos) = (along.fract() * std::f64::consts::TAU).sin_cos();
+        [(1.0 + outward) * cos, (1.0 + outward) * sin]
+    };
+    chain(around, across, place, [0.0; 3])
+}
+
+/// A wavy strip that repeats itself every 4 units.
+pub(crate) fn strip(around: usize, across: usize) -> StructuredBlocks {
+    let place = |along: f64, outward: f64| {
+        let wave = 0.1 * (along * std::f64::consts::TAU).sin();
+        [4.0 * along, (1.0 - outward) * wave - outward]
+    };
+    chain(around, across, place, [4.0, 0.0, 0.0])
 }
