@@ -109,7 +109,19 @@ fn what_block_mesh_cannot_make_is_refused() {
         .points
         .iter_mut()
         .for_each(|point| *point = point.map(|x| x * 1e200));
+    // Two squares glued along all sides make a pillow.
+    let mut pillow = periodic_square(1, false);
+    pillow.blocks.push(pillow.blocks[0].clone());
+    for (block, other) in [(0, 1), (1, 0)] {
+        pillow.blocks[block].sides = BlockSide::ALL.map(|side| Connection::Block {
+            block: other,
+            side,
+            reversed: false,
+            shift: [0.0; 3],
+        });
+    }
     let errors = [
+        refused(&pillow, Thickness::default()),
         refused(&lifted, Thickness::default()),
         refused(&flat, Thickness::default()),
         refused(&coarse, Thickness::default()),

@@ -1,6 +1,7 @@
 //! Blocks cut along whole rows or columns of cells, so that no two curves have the same ends.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 use super::curves::ambiguous;
 use super::vertices::Vertices;
@@ -11,7 +12,7 @@ use crate::error::WriteError;
 /// The blocks, cut where curves could not be told apart by their ends.
 ///
 /// # Errors
-/// A curve of a single cell that has the ends of another, and a block that touches itself with opposite corners.
+/// A curve of a single cell that has the ends of another, and blocks that no plane has room for.
 pub(super) fn with_distinct_curves(
     blocks: &StructuredBlocks,
 ) -> Result<Cow<'_, StructuredBlocks>, WriteError> {
@@ -20,7 +21,7 @@ pub(super) fn with_distinct_curves(
         let vertices = Vertices::of(&blocks)?;
         let found = ambiguous(&blocks, &vertices);
         if found.is_empty() {
-            check_opposite_corners(&vertices)?;
+            check_corners(&vertices)?;
             return Ok(blocks);
         }
         let longest = |&&(block, side): &&(usize, BlockSide)| blocks.blocks[block].node_count(side);
@@ -36,17 +37,25 @@ pub(super) fn with_distinct_curves(
     }
 }
 
-fn check_opposite_corners(vertices: &Vertices) -> Result<(), WriteError> {
-    let meet = |&[v00, v10, v11, v01]: &[usize; 4]| v00 == v11 || v10 == v01;
-    vertices
-        .corners
-        .iter()
-        .position(meet)
-        .map_or(Ok(()), |block| {
-            Err(unsupported(format!(
+/// Refuses what no plane has room for: a block that touches itself at opposite corners, and two blocks between the same corners.
+fn check_corners(vertices: &Vertices) -> Result<(), WriteError> {
+    let mut by_corners = BTreeMap::new();
+    for (block, &corners) in vertices.corners.iter().enumerate() {
+        let [v00, v10, v11, v01] = corners;
+        if v00 == v11 || v10 == v01 {
+            return Err(unsupported(format!(
                 "block {block}, two opposite corners of which are one vertex"
-            )))
-        })
+            )));
+        }
+        let mut sorted = corners;
+        sorted.sort_unstable();
+        if let Some(other) = by_corners.insert(sorted, block) {
+            return Err(unsupported(format!(
+                "block {block}, whose corners are those of block {other}"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Where `i` and `j` of every block are cut, as the indices of the nodes at which pieces start and end.
