@@ -38,7 +38,7 @@ pub(crate) fn hexagon() -> Domain {
         .chain(ring)
         .map(|center| Circle::new(center, 0.3))
         .collect();
-    Domain::in_circle(Circle::new(DVec2::ZERO, 1.74), &holes).unwrap()
+    Domain::in_circle(Circle::new(DVec2::ZERO, 1.74), &holes).expect("the holes are disjoint")
 }
 
 /// Holes added one by one where they fit, gaps at least `gap`, in the unit circle.
@@ -56,7 +56,7 @@ pub(crate) fn random_in_circle(seed: u64, count: usize, gap: f64) -> Domain {
     if holes.is_empty() {
         holes.push(Circle::new(DVec2::new(0.1, 0.2), 0.3));
     }
-    Domain::in_circle(Circle::new(DVec2::ZERO, 1.0), &holes).unwrap()
+    Domain::in_circle(Circle::new(DVec2::ZERO, 1.0), &holes).expect("the holes are disjoint")
 }
 
 /// The same in a periodic rectangle of width 1 and height `aspect`.
@@ -76,5 +76,5 @@ pub(crate) fn random_periodic(seed: u64, count: usize, gap: f64, aspect: f64) ->
             holes.push(circle);
         }
     }
-    Domain::periodic(period, &holes).unwrap()
+    Domain::periodic(period, &holes).expect("the holes are disjoint")
 }
