@@ -1,0 +1,182 @@
+//! `vide block`: circles in, blocks out.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use std::io::Write;
+use vide::convert::{domain_of, structured_blocks};
+use vide::delaunay_core::measure::AngleSummary;
+use vide::medial_blocking::{
+    BlockMesh, Blocking, BlockingError, CellCounts, Domain, MAX_CELLS, NodeMatching, Params,
+};
+use vide::mesh_io::{Format, StructuredBlocks, read_circles, write_atomically, write_blocks};
+use vide::picture::block_picture;
+use vide::quality::measure_quads;
+
+use super::Common;
+use super::failure::Failure;
+use super::output::{check_folder, check_outputs};
+use super::progress::Watch;
+use super::report::Report;
+
+/// An arc below this in units of its clearance has no length but rounding.
+const COLLAPSED: f64 = 1e-6;
+
+#[derive(Args)]
+pub(crate) struct BlockArgs {
+    /// Circles in a bounding circle or in a periodic rectangle
+    #[arg(value_name = "DOMAIN.toml")]
+    domain: PathBuf,
+    /// Mesh to write, by extension: .vtu .msh .p3d .p3b .off, or a file called blockMeshDict; may be repeated
+    #[arg(short, long, value_name = "OUT")]
+    output: Vec<PathBuf>,
+    /// Cells along and across every block
+    #[arg(long, value_name = "N", conflicts_with = "size", default_value_t = 16)]
+    cells: u64,
+    /// Longest edge of a cell along the curves of the blocks, instead of a number of cells
+    #[arg(long, value_name = "H")]
+    size: Option<f64>,
+    /// How nodes of medial arcs and walls are matched
+    #[arg(long, value_enum, default_value_t = Matching::Equal)]
+    matching: Matching,
+    /// Picture to write
+    #[arg(long, value_name = "FILE.svg")]
+    svg: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) common: Common,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Matching {
+    /// Equal spacing along arc and wall, as in the paper
+    Equal,
+    /// Each node of the arc with the point where its empty circle touches the wall
+    Circle,
+}
+
+const FORMATS: [Format; 6] = [
+    Format::Vtu,
+    Format::Msh,
+    Format::Plot3dAscii,
+    Format::Plot3dBinary,
+    Format::Off,
+    Format::BlockMeshDict,
+];
+
+pub(crate) fn run(args: &BlockArgs) -> Result<(), Failure> {
+    check_outputs(&args.output, &FORMATS, "structured blocks")?;
+    for path in args.svg.iter().chain(&args.common.report) {
+        check_folder(path)?;
+    }
+    let mut watch = Watch::new(args.common.quiet);
+    let domain = watch.stage("read", |_| read_domain(args))?;
+    let mesh = blocked(args, &domain, &mut watch)?;
+    let blocks = structured_blocks(&mesh);
+    let vertices = blocks
+        .to_mesh()
+        .map_err(|defect| Failure::input(&args.domain, defect))?
+        .points
+        .len();
+    let mut report = watch.stage("measure", |_| report_of(&mesh, vertices));
+    watch.stage("write", |_| write(args, &mesh, &blocks))?;
+    report.seconds = watch.finish().into_iter().collect();
+    args.common.say(&summary(&report));
+    report.write(args.common.report.as_deref())
+}
+
+fn read_domain(args: &BlockArgs) -> Result<Domain, Failure> {
+    let circles = read_circles(&args.domain)?;
+    domain_of(&circles).map_err(|error| Failure::domain(&args.domain, &circles, &error))
+}
+
+fn blocked(args: &BlockArgs, domain: &Domain, watch: &mut Watch) -> Result<BlockMesh, Failure> {
+    let failed = |error: BlockingError| Failure::input(&args.domain, error);
+    let blocking = watch
+        .stage("block", |watch| {
+            Blocking::of_with(domain, &mut |progress| watch.report(progress))
+        })
+        .map_err(failed)?;
+    let params = params(args, blocking.blocks().len()).map_err(failed)?;
+    watch
+        .stage("mesh", |watch| {
+            BlockMesh::of_with(blocking, &params, &mut |progress| watch.report(progress))
+        })
+        .map_err(failed)
+}
+
+fn params(args: &BlockArgs, blocks: usize) -> Result<Params, BlockingError> {
+    let cells = match (args.size, u32::try_from(args.cells)) {
+        (Some(size), _) => CellCounts::Size(size),
+        (None, Ok(cells)) => CellCounts::PerBlock(cells),
+        (None, Err(_)) => {
+            let cells = blocks as f64 * (args.cells as f64).powi(2);
+            return Err(BlockingError::TooManyCells {
+                cells,
+                limit: MAX_CELLS,
+            });
+        }
+    };
+    let matching = match args.matching {
+        Matching::Equal => NodeMatching::EqualSpacing,
+        Matching::Circle => NodeMatching::EmptyCircle,
+    };
+    Ok(Params { cells, matching })
+}
+
+fn write(args: &BlockArgs, mesh: &BlockMesh, blocks: &StructuredBlocks) -> Result<(), Failure> {
+    args.output
+        .iter()
+        .try_for_each(|path| write_blocks(path, blocks))?;
+    if let Some(path) = &args.svg {
+        let title = args
+            .domain
+            .file_stem()
+            .map(|stem| stem.to_string_lossy())
+            .unwrap_or_default();
+        let picture = block_picture(mesh, &title)
+            .to_svg()
+            .map_err(|error| Failure::input(&args.domain, error))?;
+        write_atomically(path, |out| Ok(out.write_all(picture.as_bytes())?))?;
+    }
+    Ok(())
+}
+
+fn report_of(mesh: &BlockMesh, vertices: usize) -> Report {
+    let blocking = mesh.blocking();
+    let mut report = Report {
+        vertices,
+        elements: mesh.cell_count(),
+        blocks: Some(blocking.blocks().len()),
+        medial_vertices: Some(blocking.vertices().len()),
+        medial_arcs: Some(blocking.arcs().len()),
+        collapsed_arcs: Some(blocking.thin_arcs(COLLAPSED).count()),
+        leaning_arcs: Some(mesh.leaning_arcs().len()),
+        angle: AngleSummary::of_quads(mesh.cells()).map(Into::into),
+        ..Report::default()
+    };
+    report.measure(&measure_quads(mesh.cells()));
+    report
+}
+
+fn summary(report: &Report) -> String {
+    let count = |count: Option<usize>| count.unwrap_or_default();
+    let (blocks, vertices, arcs) = (
+        count(report.blocks),
+        count(report.medial_vertices),
+        count(report.medial_arcs),
+    );
+    let mut text = format!(
+        "{blocks} blocks, {vertices} medial vertices, {arcs} medial arcs, {} cells, {} vertices\n",
+        report.elements, report.vertices
+    );
+    if let Some(collapsed @ 1..) = report.collapsed_arcs {
+        text += &format!(
+            "{collapsed} arcs between co-circular holes have no length; their blocks are empty\n"
+        );
+    }
+    if let Some(leaning @ 1..) = report.leaning_arcs {
+        text +=
+            &format!("{leaning} arcs are not equally spaced, because a cell would have folded\n");
+    }
+    text + &report.quality_table()
+}

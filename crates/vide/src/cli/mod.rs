@@ -1,0 +1,94 @@
+//! Parse, dispatch, and tell how it went: exit code 0, 1 for an error in one line, 2 for wrong usage.
+
+mod block;
+mod delaunay;
+mod failure;
+mod output;
+mod progress;
+mod quality;
+mod report;
+
+use std::io::Write;
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+use rayon::ThreadPoolBuilder;
+
+use failure::Failure;
+
+/// Meshes a solver can run on, from circles, points and surfaces.
+#[derive(Parser)]
+#[command(name = "vide", version, about, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Multiblock structured quads around the circles of a DOMAIN.toml
+    Block(block::BlockArgs),
+    /// Delaunay triangulation of the points of a file
+    Delaunay(delaunay::DelaunayArgs),
+    /// Quality of the cells of a mesh file
+    Quality(quality::QualityArgs),
+}
+
+/// Options that all subcommands share.
+#[derive(Args)]
+struct Common {
+    /// Say nothing but errors
+    #[arg(short, long)]
+    quiet: bool,
+    /// Most threads to use; the result is the same for every number
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// Write what was made, its quality and how long it took as JSON
+    #[arg(long, value_name = "FILE.json")]
+    report: Option<PathBuf>,
+}
+
+/// Runs the program on the arguments of the process.
+pub(crate) fn run() -> ExitCode {
+    let outcome = match Cli::parse().command {
+        Command::Block(args) => args.common.on_threads(|| block::run(&args)),
+        Command::Delaunay(args) => args.common.on_threads(|| delaunay::run(&args)),
+        Command::Quality(args) => args.common.on_threads(|| quality::run(&args)),
+    };
+    let outcome = outcome.and_then(|outcome| outcome);
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            // With a closed standard error there is nobody left to tell.
+            let _ = writeln!(
+                std::io::stderr(),
+                "vide: {}",
+                one_line(&failure.to_string())
+            );
+            ExitCode::FAILURE
+        }
+    }
+}
+
+impl Common {
+    /// Says something on standard output unless told to be quiet; a reader that has gone away is no error.
+    fn say(&self, text: &str) {
+        if !self.quiet {
+            let _ = std::io::stdout().write_all(text.as_bytes());
+        }
+    }
+
+    /// Runs `work` on the number of threads asked for.
+    fn on_threads<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
+        let threads = self.threads.map_or(0, NonZeroUsize::get);
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
+        Ok(pool.install(work))
+    }
+}
+
+/// Messages of parsers can have line breaks; an error is one line.
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,65 @@
+//! A progress bar on the terminal's standard error for work that takes longer than a second, and the time of each stage.
+
+use std::io::IsTerminal;
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+use vide::delaunay_core::progress::Progress;
+
+/// Work that is done sooner shows no bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Hears of the progress of all stages.
+pub(crate) struct Watch {
+    visible: bool,
+    start: Instant,
+    bar: Option<ProgressBar>,
+    stages: Vec<(String, f64)>,
+}
+
+impl Watch {
+    /// A watch that shows its bar on a terminal unless it is to be quiet.
+    pub(crate) fn new(quiet: bool) -> Self {
+        let visible = !quiet && std::io::stderr().is_terminal();
+        Self {
+            visible,
+            start: Instant::now(),
+            bar: None,
+            stages: Vec::new(),
+        }
+    }
+
+    /// Runs one stage of the work and notes how long it takes.
+    pub(crate) fn stage<T>(&mut self, name: &str, work: impl FnOnce(&mut Self) -> T) -> T {
+        let start = Instant::now();
+        let result = work(self);
+        self.stages
+            .push((name.to_owned(), start.elapsed().as_secs_f64()));
+        result
+    }
+
+    /// Takes a progress report; never stops the work.
+    pub(crate) fn report(&mut self, progress: Progress) -> ControlFlow<()> {
+        if self.visible && self.start.elapsed() > PATIENCE {
+            let bar = self.bar.get_or_insert_with(bar);
+            bar.set_message(progress.stage);
+            bar.set_length(progress.total as u64);
+            bar.set_position(progress.done as u64);
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Removes the bar; every stage with its seconds, in order.
+    pub(crate) fn finish(self) -> Vec<(String, f64)> {
+        if let Some(bar) = self.bar {
+            bar.finish_and_clear();
+        }
+        self.stages
+    }
+}
+
+fn bar() -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg:14} {bar:40} {percent:>3} % {eta:>4}");
+    ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

@@ -1,0 +1,134 @@
+//! What was made, as JSON for programs and as lines for people.
+
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::Path;
+
+use serde::Serialize;
+use vide::delaunay_core::measure::AngleSummary;
+use vide::mesh_io::write_atomically;
+use vide::quality::Measured;
+
+use super::failure::Failure;
+
+/// The report of any subcommand; what a command does not make is left out.
+#[derive(Default, Serialize)]
+pub(crate) struct Report {
+    pub(crate) vertices: usize,
+    pub(crate) elements: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) blocks: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) medial_vertices: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) medial_arcs: Option<usize>,
+    /// Arcs so short that their blocks are empty: co-circular holes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) collapsed_arcs: Option<usize>,
+    /// Arcs whose nodes are not equally spaced because a cell would have folded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) leaning_arcs: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) duplicates: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) angle: Option<Angle>,
+    pub(crate) quality: BTreeMap<String, Spread>,
+    pub(crate) seconds: BTreeMap<String, f64>,
+    pub(crate) stop: Stop,
+}
+
+/// Why the work ended.
+#[derive(Clone, Copy, Default, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Stop {
+    /// It was done.
+    #[default]
+    Finished,
+}
+
+/// The four angle figures of the blocking paper, in degrees.
+#[derive(Serialize)]
+pub(crate) struct Angle {
+    min: f64,
+    max: f64,
+    mean_smallest: f64,
+    mean_largest: f64,
+}
+
+impl From<AngleSummary> for Angle {
+    fn from(summary: AngleSummary) -> Self {
+        let AngleSummary {
+            min,
+            max,
+            mean_smallest,
+            mean_largest,
+            ..
+        } = summary;
+        Self {
+            min,
+            max,
+            mean_smallest,
+            mean_largest,
+        }
+    }
+}
+
+/// How the values of a measure spread.
+#[derive(Serialize)]
+pub(crate) struct Spread {
+    min: f64,
+    p01: f64,
+    mean: f64,
+    p99: f64,
+    max: f64,
+}
+
+impl Report {
+    /// Takes in what was measured.
+    pub(crate) fn measure(&mut self, measured: &[Measured]) {
+        for Measured {
+            name, statistics, ..
+        } in measured
+        {
+            let spread = Spread {
+                min: statistics.min(),
+                p01: statistics.percentile(1.0),
+                mean: statistics.mean(),
+                p99: statistics.percentile(99.0),
+                max: statistics.max(),
+            };
+            self.quality.insert(name.clone(), spread);
+        }
+    }
+
+    /// Writes the report if a file is named.
+    pub(crate) fn write(&self, path: Option<&Path>) -> Result<(), Failure> {
+        let Some(path) = path else { return Ok(()) };
+        write_atomically(path, |out| {
+            serde_json::to_writer_pretty(&mut *out, self).map_err(std::io::Error::from)?;
+            Ok(writeln!(out)?)
+        })?;
+        Ok(())
+    }
+
+    /// A table of all measures, a line each.
+    pub(crate) fn quality_table(&self) -> String {
+        let mut table = format!(
+            "{:30} {:>10} {:>10} {:>10} {:>10} {:>10}\n",
+            "measure", "min", "p01", "mean", "p99", "max"
+        );
+        for (name, spread) in &self.quality {
+            let Spread {
+                min,
+                p01,
+                mean,
+                p99,
+                max,
+            } = spread;
+            let row =
+                format!("{name:30} {min:10.4} {p01:10.4} {mean:10.4} {p99:10.4} {max:10.4}\n");
+            table.push_str(&row);
+        }
+        table
+    }
+}

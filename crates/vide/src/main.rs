@@ -1,0 +1,9 @@
+//! The `vide` program: meshes from the command line.
+
+mod cli;
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    cli::run()
+}

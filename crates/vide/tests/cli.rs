@@ -1,0 +1,229 @@
+//! The `vide` program from outside: files in, files out, exit codes and error lines.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
+use vide::mesh_io::{CellKind, read_mesh};
+
+const TWO_HOLES: &str = r#"
+[domain]
+kind = "circle"
+centre = [0.0, 0.0]
+radius = 2.0
+
+[[hole]]
+centre = [-1.0, 0.0]
+radius = 0.4
+
+[[hole]]
+centre = [1.0, 0.1]
+radius = 0.5
+"#;
+
+const PERIODIC: &str = r#"
+[domain]
+kind = "periodic"
+period = [1.0, 0.8]
+
+[[hole]]
+centre = [0.3, 0.3]
+radius = 0.2
+"#;
+
+/// A folder with some files in it, in which the program runs.
+struct Folder(TempDir);
+
+impl Folder {
+    fn with(files: &[(&str, &str)]) -> Self {
+        let folder = Self(tempfile::tempdir().expect("a temporary folder can be made"));
+        for (name, contents) in files {
+            std::fs::write(folder.path(name), contents).expect("a file can be written");
+        }
+        folder
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn vide(&self, arguments: &[&str]) -> Output {
+        let program = Command::new(env!("CARGO_BIN_EXE_vide"))
+            .current_dir(self.0.path())
+            .args(arguments)
+            .output();
+        program.expect("the program can be started")
+    }
+
+    /// The error line of a run that must fail with exit code 1 and leave no new file behind.
+    fn error(&self, arguments: &[&str]) -> String {
+        let before = self.names();
+        let output = self.vide(arguments);
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {error}");
+        assert_eq!(error.lines().count(), 1, "{error}");
+        assert_eq!(before, self.names(), "{arguments:?} left files behind");
+        assert!(output.stdout.is_empty());
+        error
+    }
+
+    fn names(&self) -> Vec<std::ffi::OsString> {
+        let entries = std::fs::read_dir(self.0.path()).expect("the folder exists");
+        let mut names: Vec<_> = entries.flatten().map(|entry| entry.file_name()).collect();
+        names.sort();
+        names
+    }
+}
+
+fn quads(path: &Path) -> usize {
+    let mesh = read_mesh(path).unwrap_or_else(|error| panic!("{error}"));
+    mesh.cells
+        .kinds()
+        .iter()
+        .filter(|&&kind| kind == CellKind::Quad)
+        .count()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+#[test]
+fn every_output_of_a_bounded_domain_holds_the_same_cells() {
+    let folder = Folder::with(&[("two.toml", TWO_HOLES)]);
+    let arguments = "block two.toml --cells 5 -o a.vtu -o a.msh -o a.p3d -o a.p3b -o a.off \
+                     -o blockMeshDict --svg a.svg --report a.json --quiet";
+    let output = folder.vide(&arguments.split_whitespace().collect::<Vec<_>>());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(output.stdout.is_empty());
+    for name in ["a.vtu", "a.msh", "a.p3d", "a.p3b", "a.off"] {
+        assert_eq!(quads(&folder.path(name)), 6 * 25, "{name}");
+    }
+    let dict = std::fs::read_to_string(folder.path("blockMeshDict")).unwrap();
+    for word in ["hole_0", "hole_1", "bounding", "polyLine", "frontAndBack"] {
+        assert!(dict.contains(word), "{word}");
+    }
+    let report = std::fs::read(folder.path("a.json")).unwrap();
+    let report: serde_json::Value = serde_json::from_slice(&report).unwrap();
+    assert_eq!(report["blocks"], 6);
+    assert_eq!(report["elements"], 150);
+    assert_eq!(report["stop"], "finished");
+    assert!(report["angle"]["mean_smallest"].as_f64().unwrap() > 60.0);
+    assert!(report["quality"]["quad.scaled_jacobian"]["p01"].is_f64());
+}
+
+#[test]
+fn a_periodic_domain_is_written_with_its_periodic_sides() {
+    let folder = Folder::with(&[("periodic.toml", PERIODIC)]);
+    let arguments = "block periodic.toml -o a.vtu -o blockMeshDict --size 0.05";
+    let output = folder.vide(&arguments.split(' ').collect::<Vec<_>>());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let first = text(&output.stdout);
+    assert!(
+        first.starts_with("6 blocks, 2 medial vertices, 3 medial arcs"),
+        "{first}"
+    );
+    let dict = std::fs::read_to_string(folder.path("blockMeshDict")).unwrap();
+    assert!(dict.contains("cyclic"));
+}
+
+#[test]
+fn the_result_does_not_depend_on_the_number_of_threads() {
+    let folder = Folder::with(&[("two.toml", TWO_HOLES)]);
+    for threads in ["1", "2", "3"] {
+        let output = format!("{threads}.vtu");
+        let arguments = ["block", "two.toml", "--threads", threads, "-o", &output];
+        assert!(folder.vide(&arguments).status.success());
+    }
+    let bytes = |name: &str| std::fs::read(folder.path(name)).unwrap();
+    assert!(bytes("1.vtu") == bytes("2.vtu") && bytes("1.vtu") == bytes("3.vtu"));
+}
+
+#[test]
+fn points_become_triangles_and_quality_reads_them_back() {
+    let points = "0 0\n1 0\n1 1\n0 1\n0.5 0.5\n0.5 0.5\n";
+    let folder = Folder::with(&[("points.xy", points)]);
+    let output = folder.vide(&["delaunay", "points.xy", "-o", "a.vtu", "-o", "a.ele"]);
+    let first = text(&output.stdout).lines().next().map(str::to_owned);
+    assert_eq!(
+        first.as_deref(),
+        Some("4 triangles, 5 vertices, 1 duplicates")
+    );
+    for name in ["a.vtu", "a.ele"] {
+        let said = text(&folder.vide(&["quality", name, "--worst", "2"]).stdout);
+        assert!(said.starts_with("4 cells, 6 vertices"), "{said}");
+        assert!(
+            said.contains("worst triangle.min_angle: 0 (45.0000), 1 (45.0000)"),
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn what_makes_no_sense_is_said_in_one_line_with_file_line_and_element() {
+    let overlapping = TWO_HOLES.replace("radius = 0.5", "radius = 1.9");
+    let not_a_number = TWO_HOLES.replace("[1.0, 0.1]", "[nan, 0.1]");
+    let negative = PERIODIC.replace("radius = 0.2", "radius = -0.2");
+    let unknown = PERIODIC.replace("radius = 0.2", "radius = 0.2\ncolour = 3");
+    let empty = TWO_HOLES.split("[[hole]]").next().unwrap_or_default();
+    let truncated = &TWO_HOLES[..TWO_HOLES.len() - 8];
+    let folder = Folder::with(&[
+        ("two.toml", TWO_HOLES),
+        ("overlapping.toml", &overlapping),
+        ("nan.toml", &not_a_number),
+        ("negative.toml", &negative),
+        ("unknown.toml", &unknown),
+        ("empty.toml", empty),
+        ("nothing.toml", ""),
+        ("truncated.toml", truncated),
+        ("line.xy", "0 0\n1 1\n2 2\n"),
+        ("nan.xy", "0 0\n1 nan\n2 0\n"),
+        ("none.xy", ""),
+        ("space.xyz", "0 0 0\n1 0 1\n0 1 0\n"),
+    ]);
+    let errors = [
+        "block overlapping.toml -o out.vtu",
+        "block nan.toml -o out.vtu",
+        "block negative.toml -o out.vtu",
+        "block unknown.toml -o out.vtu",
+        "block empty.toml -o out.vtu",
+        "block nothing.toml -o out.vtu",
+        "block truncated.toml -o out.vtu",
+        "block two.toml --cells 0 -o out.vtu",
+        "block two.toml --cells 1 -o out.vtu",
+        "block two.toml --cells 1000000000 -o out.vtu",
+        "block two.toml --cells 10000000000000 -o out.vtu",
+        "block two.toml --size nan -o out.vtu",
+        "block two.toml --size 1e-9 -o out.vtu",
+        "block two.toml -o out.stl",
+        "block two.toml -o out.poly",
+        "block two.toml -o out.vtu -o out.vtu",
+        "block two.toml -o nowhere/out.vtu",
+        "delaunay line.xy -o out.vtu",
+        "delaunay nan.xy -o out.vtu",
+        "delaunay none.xy -o out.vtu",
+        "delaunay space.xyz -o out.vtu",
+        "quality line.xy",
+        "quality two.toml",
+    ];
+    let said = errors.map(|arguments| {
+        let error = folder.error(&arguments.split(' ').collect::<Vec<_>>());
+        format!("$ vide {arguments}\n{error}")
+    });
+    insta::assert_snapshot!(said.concat());
+}
+
+#[test]
+fn wrong_usage_has_exit_code_2() {
+    let folder = Folder::with(&[("two.toml", TWO_HOLES)]);
+    for arguments in [
+        "block",
+        "block two.toml --cells 3 --size 0.1",
+        "block two.toml --threads 0",
+        "block two.toml --cells -1",
+        "nonsense",
+    ] {
+        let output = folder.vide(&arguments.split(' ').collect::<Vec<_>>());
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+    }
+}
