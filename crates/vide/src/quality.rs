@@ -67,7 +67,13 @@ pub fn measure_quads(quads: impl IntoIterator<Item = [DVec2; 4]>) -> Vec<Measure
 
 /// Values of each measure, collected cell by cell.
 #[derive(Default)]
-struct Values(BTreeMap<&'static str, (Worst, Vec<(usize, f64)>)>);
+struct Values(BTreeMap<&'static str, ValuesOf>);
+
+/// The values of one measure, each with the id of its cell.
+struct ValuesOf {
+    worst: Worst,
+    values: Vec<(usize, f64)>,
+}
 
 impl Values {
     fn triangle(&mut self, id: usize, corners: [DVec3; 3]) {
@@ -150,16 +156,17 @@ impl Values {
     }
 
     fn push(&mut self, id: usize, name: &'static str, worst: Worst, value: f64) {
-        self.0
-            .entry(name)
-            .or_insert_with(|| (worst, Vec::new()))
-            .1
-            .push((id, value));
+        let none = || ValuesOf {
+            worst,
+            values: Vec::new(),
+        };
+        let entry = self.0.entry(name).or_insert_with(none);
+        entry.values.push((id, value));
     }
 
     fn into_measured(self) -> Vec<Measured> {
         let measures = self.0.into_iter();
-        let measured = measures.filter_map(|(name, (worst, values))| {
+        let measured = measures.filter_map(|(name, ValuesOf { worst, values })| {
             Some(Measured {
                 name: name.to_owned(),
                 worst,
@@ -173,7 +180,7 @@ impl Values {
 /// A quad of space in coordinates of its own plane; one in the plane z = 0 keeps its coordinates, so its orientation shows.
 fn flattened(corners: [DVec3; 4]) -> [DVec2; 4] {
     if corners.iter().all(|corner| corner.z == 0.0) {
-        return corners.map(|corner| corner.truncate());
+        return corners.map(DVec3::truncate);
     }
     let normal = (corners[2] - corners[0])
         .cross(corners[3] - corners[1])
