@@ -87,15 +87,21 @@ fn color_bar_tick(body: &mut String, [x, y]: [f64; 2], tick: f64, unit: &str) {
     let _ = writeln!(body, "<text x=\"{text}\" y=\"{base}\">{tick}{unit}</text>");
 }
 
+/// Pixels of the whole key.
+pub(super) fn key_width(entries: &[(String, Sample)]) -> f64 {
+    let entries = entries
+        .iter()
+        .map(|(text, _)| entry_width(text) + ENTRY_GAP);
+    (entries.sum::<f64>() - ENTRY_GAP).max(0.0)
+}
+
+fn entry_width(text: &str) -> f64 {
+    SAMPLE + 6.0 + LETTER * TEXT_SIZE * text.chars().count() as f64
+}
+
 /// One line of samples and texts, centred.
 pub(super) fn key(body: &mut String, entries: &[(String, Sample)], [center, y]: [f64; 2]) {
-    let width = |text: &str| SAMPLE + 6.0 + LETTER * TEXT_SIZE * text.chars().count() as f64;
-    let total = entries
-        .iter()
-        .map(|(text, _)| width(text) + ENTRY_GAP)
-        .sum::<f64>()
-        - ENTRY_GAP;
-    let mut left = center - total / 2.0;
+    let mut left = center - key_width(entries) / 2.0;
     body.push_str("<g data-layer=\"key\">\n");
     for (text, sample) in entries {
         key_sample(body, sample, [left, y]);
@@ -106,7 +112,7 @@ pub(super) fn key(body: &mut String, entries: &[(String, Sample)], [center, y]: 
             Color::INK,
             Escaped(text)
         );
-        left += width(text) + ENTRY_GAP;
+        left += entry_width(text) + ENTRY_GAP;
     }
     body.push_str("</g>\n");
 }

@@ -49,7 +49,7 @@ impl Stroke {
     pub const fn dotted(color: Color) -> Self {
         Self {
             color,
-            width: 1.1,
+            width: 1.3,
             dotted: true,
         }
     }

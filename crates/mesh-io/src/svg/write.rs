@@ -6,7 +6,7 @@ use super::color::Color;
 use super::draw::draw_layer;
 use super::error::PictureError;
 use super::frame::Frame;
-use super::legend::{KEY_HEIGHT, color_bar, color_bar_width, key};
+use super::legend::{KEY_HEIGHT, color_bar, color_bar_width, key, key_width};
 use super::number::Rounded;
 use super::panel::Panel;
 use super::picture::Picture;
@@ -23,13 +23,21 @@ pub(super) const TEXT_SIZE: f64 = 13.0;
 
 pub(super) fn document(picture: &Picture) -> Result<String, PictureError> {
     let mut body = String::new();
+    let panels: f64 = picture
+        .panels
+        .iter()
+        .map(|panel| outer_width(panel) + GAP)
+        .sum::<f64>()
+        - GAP;
+    let inner = panels.max(key_width(&picture.key)).max(0.0);
+    let width = inner + 2.0 * MARGIN;
     let top = MARGIN
         + if picture.title.is_empty() {
             0.0
         } else {
             TITLE_HEIGHT
         };
-    let mut left = MARGIN;
+    let mut left = MARGIN + (inner - panels) / 2.0;
     let tallest = picture.panels.iter().map(Panel::height).fold(0.0, f64::max);
     for (index, panel) in picture.panels.iter().enumerate() {
         draw_panel(&mut body, index, panel, [left, top])?;
@@ -41,9 +49,8 @@ pub(super) fn document(picture: &Picture) -> Result<String, PictureError> {
                 top + tallest + CAPTION_HEIGHT - 8.0,
             ],
         );
-        left += panel.width + color_bar_width(panel.color_bar.as_ref()) + GAP;
+        left += outer_width(panel) + GAP;
     }
-    let width = (left - GAP).max(MARGIN) + MARGIN;
     let captioned = picture.panels.iter().any(|panel| panel.caption.is_some());
     let mut bottom = top + tallest + if captioned { CAPTION_HEIGHT } else { 0.0 };
     if !picture.key.is_empty() {
@@ -56,6 +63,11 @@ pub(super) fn document(picture: &Picture) -> Result<String, PictureError> {
     }
     title(&mut body, &picture.title, width);
     Ok(wrapped(&body, width, bottom + MARGIN))
+}
+
+/// Pixels of a panel with its colour bar.
+fn outer_width(panel: &Panel) -> f64 {
+    panel.width + color_bar_width(panel.color_bar.as_ref())
 }
 
 /// The document element round its body, on white paper.

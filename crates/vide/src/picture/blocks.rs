@@ -9,14 +9,20 @@ const AXIS: Stroke = Stroke::thick(Color::BLUE);
 /// The straight lines from medial vertices to walls, η = 0 and η = 1.
 const ETA: Stroke = Stroke::dotted(Color::RED);
 /// Lines of the structured grids.
-const GRID: Stroke = Stroke::thin(Color::GREY);
+const GRID: Stroke = Stroke {
+    width: 0.4,
+    ..Stroke::thin(Color::GREY)
+};
 /// The walls, ξ = 1, with what they enclose.
 const WALL: Style = Style::line(Stroke::medium(Color::INK)).filled(Color::MIST);
+
+/// Pixels of the panels of a mesh.
+pub(super) const WIDTH: f64 = 480.0;
 
 /// The panel of a mesh without colours.
 #[must_use]
 pub fn block_panel(mesh: &BlockMesh) -> Panel {
-    let mut panel = Panel::new(window_of(mesh));
+    let mut panel = Panel::new(window_of(mesh)).width(WIDTH);
     draw_walls(&mut panel, mesh.blocking());
     draw_mesh_lines(&mut panel, mesh);
     draw_scheme(&mut panel, mesh);

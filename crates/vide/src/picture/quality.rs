@@ -5,7 +5,7 @@ use glam::DVec2;
 use medial_blocking::BlockMesh;
 use mesh_io::svg::{Color, ColorBar, ColorMap, Panel, Stroke, Style};
 
-use super::blocks::{draw_walls, window_of};
+use super::blocks::{WIDTH, draw_walls, window_of};
 
 /// By what cells are coloured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +69,7 @@ pub fn quality_panel(mesh: &BlockMesh, quality: CellQuality) -> Panel {
         .map(|&(_, value)| value)
         .fold(f64::INFINITY, f64::min);
     let bar = quality.color_bar(worst);
-    let mut panel = Panel::new(window_of(mesh));
+    let mut panel = Panel::new(window_of(mesh)).width(WIDTH);
     panel
         .layer("cells", Style::default())
         .colored_polygons(&bar.map, cells);
