@@ -1,5 +1,7 @@
 //! Chores of the workspace: `cargo xtask figures`.
 
+#![expect(clippy::print_stderr, reason = "a program for the terminal")]
+
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};

@@ -75,7 +75,11 @@ fn lemma(blocking: &Blocking, vertex: &MedialVertex) -> Panel {
             .polygons(wedges);
     }
     draw_lines(&mut panel, vertex, &points);
-    name_points(&mut panel, vertex, &[(points[2], "p"), (points[0], "q"), (points[1], "r")]);
+    name_points(
+        &mut panel,
+        vertex,
+        &[(points[2], "p"), (points[0], "q"), (points[1], "r")],
+    );
     panel
 }
 

@@ -4,7 +4,7 @@ use glam::DVec2;
 use medial_blocking::Blocking;
 use medial_blocking::blocking2d::{BlockPair, block_pairs};
 use medial_blocking::medial_axis::SampledAxis;
-use medial_blocking::triangulation::{SideId, TriangleId};
+use medial_blocking::triangulation::{Across, SideId, TriangleId};
 use mesh_io::svg::{Anchor, Color, Panel, Picture, Sample, Stroke, Style, Window};
 
 use super::super::table::Table;
@@ -51,7 +51,7 @@ pub(super) fn figure() -> Render {
 fn at_line_3(blocking: &Blocking, axis: &SampledAxis<'_>, pair: &BlockPair) -> Panel {
     let (delta, lambda) = (pair.sequence.start.triangle, pair.sequence.start);
     let mut panel = backdrop(blocking, axis, pair, delta);
-    draw_curves(&mut panel, axis, pair, 1);
+    draw_curves(&mut panel, axis, pair, 0);
     let [a, b] = axis
         .triangulation
         .ends(lambda)
@@ -65,12 +65,18 @@ fn at_line_3(blocking: &Blocking, axis: &SampledAxis<'_>, pair: &BlockPair) -> P
 /// Inside the loop, after some steps: Δ has been entered across λ, and p is its new vertex.
 fn at_line_8(blocking: &Blocking, axis: &SampledAxis<'_>, pair: &BlockPair) -> Panel {
     let entries = &pair.sequence.entries;
-    let fatness = |&step: &usize| entries.get(step).map_or(0.0, |entry| smallest_angle(corners(axis, entry.side.triangle)));
-    let step = STEPS.max_by(|a, b| fatness(a).total_cmp(&fatness(b))).unwrap_or(0);
+    let fatness = |&step: &usize| {
+        entries.get(step).map_or(0.0, |entry| {
+            smallest_angle(corners(axis, entry.side.triangle))
+        })
+    };
+    let step = STEPS
+        .max_by(|a, b| fatness(a).total_cmp(&fatness(b)))
+        .unwrap_or(0);
     let lambda0 = entries[step].side;
     let delta = lambda0.triangle;
     let mut panel = backdrop(blocking, axis, pair, delta);
-    draw_curves(&mut panel, axis, pair, step + 1);
+    draw_curves(&mut panel, axis, pair, step);
     let p = axis.point(axis.triangulation.apex(lambda0));
     name_points(&mut panel, middle(axis, lambda0), &[(p, "p")]);
     let (lambda1, lambda2) = (lambda0.next(), lambda0.next().next());
@@ -107,31 +113,27 @@ fn square(window: Window) -> Window {
     Window::new(low.midpoint(high) - reach, low.midpoint(high) + reach)
 }
 
-/// Draws the curves as they are once `triangles` triangles of the sequence have been visited.
-fn draw_curves(panel: &mut Panel, axis: &SampledAxis<'_>, pair: &BlockPair, triangles: usize) {
-    let visited: Vec<[DVec2; 3]> = pair
-        .sequence
-        .triangles()
-        .take(triangles.saturating_sub(1))
-        .map(|(id, _)| corners(axis, id))
-        .collect();
-    let [a, b] = axis
-        .triangulation
-        .ends(pair.sequence.start)
-        .map(|corner| axis.point(corner));
-    for (name, stroke, curve, first) in [("C1", C1, &pair.c1, a), ("C2", C2, &pair.c2, b)] {
-        let points = curve.iter().map(|&corner| axis.point(corner));
-        let known: Vec<DVec2> = points
-            .filter(|p| *p == first || visited.iter().skip(1).any(|triangle| triangle.contains(p)))
+/// Draws the curves as they are once the first `steps` triangles after the start have been entered.
+fn draw_curves(panel: &mut Panel, axis: &SampledAxis<'_>, pair: &BlockPair, steps: usize) {
+    let is_wall = |side| axis.triangulation.across(side) == Across::Wall;
+    let entered = || {
+        pair.sequence
+            .entries
+            .iter()
+            .take(steps)
+            .map(|entry| entry.side)
+    };
+    let c1 = 1 + entered().filter(|side| is_wall(side.next())).count();
+    let c2 = 1 + entered().filter(|side| is_wall(side.next().next())).count();
+    for (name, stroke, curve, known) in [("C1", C1, &pair.c1, c1), ("C2", C2, &pair.c2, c2)] {
+        let points: Vec<DVec2> = curve
+            .iter()
+            .take(known)
+            .map(|&corner| axis.point(corner))
             .collect();
-        draw_curve(panel, name, stroke, &known);
+        draw_curve(panel, name, stroke, &points);
     }
-    draw_curve(
-        panel,
-        "M",
-        AXIS,
-        &pair.m[..triangles.saturating_sub(1).max(1).min(pair.m.len())],
-    );
+    draw_curve(panel, "M", AXIS, &pair.m[..=steps.min(pair.m.len() - 1)]);
 }
 
 fn draw_curve(panel: &mut Panel, name: &str, stroke: Stroke, points: &[DVec2]) {
@@ -191,7 +193,11 @@ fn middle(axis: &SampledAxis<'_>, side: SideId) -> DVec2 {
 
 /// Smallest angle of a triangle in radians.
 fn smallest_angle(corners: [DVec2; 3]) -> f64 {
-    let at = |k: usize| (corners[(k + 1) % 3] - corners[k]).angle_to(corners[(k + 2) % 3] - corners[k]).abs();
+    let at = |k: usize| {
+        (corners[(k + 1) % 3] - corners[k])
+            .angle_to(corners[(k + 2) % 3] - corners[k])
+            .abs()
+    };
     at(0).min(at(1)).min(at(2))
 }
 

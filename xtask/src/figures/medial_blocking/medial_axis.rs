@@ -80,7 +80,9 @@ fn chosen(blocking: &Blocking) -> Vec<EmptyCircle> {
         .iter()
         .flat_map(|arc| places.clone().map(|u| arc.curve.point(u)));
     for candidate in candidates.map(|center| EmptyCircle::round(blocking, center)) {
-        let apart = |other: &EmptyCircle| other.center.distance(candidate.center) > other.radius + candidate.radius;
+        let apart = |other: &EmptyCircle| {
+            other.center.distance(candidate.center) > other.radius + candidate.radius
+        };
         if circles.iter().all(apart) {
             circles.push(candidate);
         }

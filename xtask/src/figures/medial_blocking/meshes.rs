@@ -1,7 +1,7 @@
 //! Figures 12, 13 and 14: the meshes of the paper's three data sets, and their angles beside the paper's.
 
-use fixtures::circles;
 use delaunay_core::measure::quad::corner_angles;
+use fixtures::circles;
 use medial_blocking::{BlockMesh, Blocking, CellCounts, Domain, NodeMatching, Params};
 use vide::picture::{CellQuality, block_panel, keyed, quality_panel};
 
