@@ -110,7 +110,13 @@ fn summary(printed: &Printed, equal: &BlockMesh, matched: &BlockMesh) -> String 
         "thin arcs (below 0.2 of the clearance)",
         blocking.thin_arcs(0.2).count(),
     ))
-    .row(count("cells per block", (CELLS * CELLS) as usize));
+    .row(count("cells per block", (CELLS * CELLS) as usize))
+    .row([
+        "arcs whose wall nodes lean, lest cells fold".to_owned(),
+        "-".to_owned(),
+        equal.leaning_arcs().len().to_string(),
+        matched.leaning_arcs().len().to_string(),
+    ]);
     let (equal, matched) = (angles(equal), angles(matched));
     let names = [
         "smallest angle",
