@@ -68,16 +68,17 @@ impl TryFrom<Vec<f64>> for Pair {
 pub fn parse(bytes: &[u8]) -> Result<CirclesDomain, ReadError> {
     let text = std::str::from_utf8(bytes)
         .map_err(|error| ReadError::at_byte(error.valid_up_to(), ReadProblem::NotText))?;
+    let lines = LineEnds::of(text);
     let document: Document = toml::from_str(text).map_err(|error| {
         let problem = ReadProblem::Syntax(one_line(error.message()));
         match error.span() {
-            Some(span) => ReadError::at_line(line_of(text, span.start), problem),
+            Some(span) => ReadError::at_line(lines.line_of(span.start), problem),
             None => problem.into(),
         }
     })?;
-    let frame = frame(text, document.domain)?;
+    let frame = frame(&lines, document.domain)?;
     let hole = |table: Spanned<HoleTable>| {
-        let line = Some(line_of(text, table.span().start));
+        let line = Some(lines.line_of(table.span().start));
         let HoleTable {
             centre,
             radius,
@@ -96,15 +97,15 @@ pub fn parse(bytes: &[u8]) -> Result<CirclesDomain, ReadError> {
     })
 }
 
-fn frame(text: &str, table: Spanned<FrameTable>) -> Result<Frame, ReadError> {
-    let line = line_of(text, table.span().start);
+fn frame(lines: &LineEnds, table: Spanned<FrameTable>) -> Result<Frame, ReadError> {
+    let line = lines.line_of(table.span().start);
     let FrameTable {
         kind,
         centre,
         radius,
         period,
     } = table.into_inner();
-    let kind_line = line_of(text, kind.span().start);
+    let kind_line = lines.line_of(kind.span().start);
     let missing = |key: &str| {
         let expected = format!("`{key}` in a domain of kind \"{}\"", kind.get_ref());
         ReadError::at_line(
@@ -118,7 +119,7 @@ fn frame(text: &str, table: Spanned<FrameTable>) -> Result<Frame, ReadError> {
     let foreign = |key: &str, start: usize| {
         let expected = format!("no `{key}` in a domain of kind \"{}\"", kind.get_ref());
         ReadError::at_line(
-            line_of(text, start),
+            lines.line_of(start),
             ReadProblem::Expected {
                 expected,
                 found: "one".into(),
@@ -158,13 +159,18 @@ fn frame(text: &str, table: Spanned<FrameTable>) -> Result<Frame, ReadError> {
     }
 }
 
-/// Number of the line that holds a byte, from 1.
-fn line_of(text: &str, byte: usize) -> usize {
-    text.bytes()
-        .take(byte)
-        .filter(|&byte| byte == b'\n')
-        .count()
-        + 1
+/// Where the lines of a text end, to find the line of any byte.
+struct LineEnds(Vec<usize>);
+
+impl LineEnds {
+    fn of(text: &str) -> Self {
+        Self(text.match_indices('\n').map(|(byte, _)| byte).collect())
+    }
+
+    /// Number of the line that holds a byte, from 1. O(log lines).
+    fn line_of(&self, byte: usize) -> usize {
+        self.0.partition_point(|&end| end < byte) + 1
+    }
 }
 
 fn one_line(message: &str) -> String {
@@ -285,6 +291,21 @@ mod tests {
             read.holes.iter_mut().for_each(|hole| hole.line = None);
             assert_eq!(read, domain);
         }
+    }
+
+    /// Once every hole counted its line from the start of the file.
+    #[test]
+    fn many_holes_are_read_in_proportion_to_their_number() {
+        const HOLES: usize = 50_000;
+        let text = format!(
+            "{CIRCLE}{}",
+            "[[hole]]\ncentre = [1, 2]\nradius = 3\n".repeat(HOLES)
+        );
+        let domain = parse(text.as_bytes()).unwrap();
+        assert_eq!(
+            domain.holes.last().and_then(|hole| hole.line),
+            Some(3 * HOLES + 2)
+        );
     }
 
     #[test]
