@@ -1,8 +1,8 @@
 //! Writing a file as a whole or not at all.
 
 use std::fs::File;
-use std::io::{BufWriter, Write};
-use std::path::Path;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
@@ -10,7 +10,8 @@ use crate::error::WriteError;
 
 /// Lets `write` fill a file and puts it at `path` when all went well; otherwise `path` is left as it was.
 ///
-/// The bytes go to a temporary file in the same folder, which is renamed at the end.
+/// The bytes go to a temporary file in the same folder, which is renamed at the end. A symbolic link stays, and what it leads to is
+/// replaced. Into a device or a pipe the bytes are poured at the end.
 ///
 /// # Errors
 /// What `write` answers and what the operating system refuses, naming `path`.
@@ -24,7 +25,38 @@ pub fn write_atomically(
 /// A file that is written but not yet at its place.
 pub(crate) struct Staged<'p> {
     file: NamedTempFile,
+    target: Target,
+    /// As the caller calls it.
     path: &'p Path,
+}
+
+/// How a file comes to its place.
+enum Target {
+    /// By renaming.
+    File(PathBuf),
+    /// Byte by byte: renaming would put a file in place of the device.
+    Stream(PathBuf),
+}
+
+impl Target {
+    fn of(path: &Path) -> Self {
+        // What does not exist yet has no canonical path, and is no link.
+        let path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        match path.metadata() {
+            Ok(metadata) if !metadata.is_file() && !metadata.is_dir() => Self::Stream(path),
+            _ => Self::File(path),
+        }
+    }
+
+    fn new_file(&self) -> io::Result<NamedTempFile> {
+        let Self::File(path) = self else {
+            return NamedTempFile::new();
+        };
+        let folder = path
+            .parent()
+            .filter(|folder| !folder.as_os_str().is_empty());
+        new_file(folder.unwrap_or(Path::new(".")))
+    }
 }
 
 impl<'p> Staged<'p> {
@@ -32,30 +64,39 @@ impl<'p> Staged<'p> {
         path: &'p Path,
         write: impl FnOnce(&mut BufWriter<File>) -> Result<(), WriteError>,
     ) -> Result<Self, WriteError> {
+        let target = Target::of(path);
         let fill = || {
-            let folder = path
-                .parent()
-                .filter(|folder| !folder.as_os_str().is_empty());
-            let file = new_file(folder.unwrap_or(Path::new(".")))?;
+            let file = target.new_file()?;
             let mut buffer = BufWriter::new(file.as_file().try_clone()?);
             write(&mut buffer)?;
             buffer.flush()?;
             Ok(file)
         };
         let file = fill().map_err(|error: WriteError| error.in_file(path))?;
-        Ok(Self { file, path })
+        Ok(Self { file, target, path })
     }
 
     pub(crate) fn publish(self) -> Result<(), WriteError> {
-        self.file
-            .persist(self.path)
-            .map_err(|error| WriteError::from(error.error).in_file(self.path))?;
-        Ok(())
+        let published = match &self.target {
+            Target::File(target) => self
+                .file
+                .persist(target)
+                .map(drop)
+                .map_err(|error| error.error),
+            Target::Stream(target) => pour(&self.file, target),
+        };
+        published.map_err(|error| WriteError::from(error).in_file(self.path))
     }
 }
 
+fn pour(file: &NamedTempFile, target: &Path) -> io::Result<()> {
+    let mut stream = File::options().write(true).open(target)?;
+    io::copy(&mut file.reopen()?, &mut stream)?;
+    Ok(())
+}
+
 #[cfg(unix)]
-fn new_file(folder: &Path) -> std::io::Result<NamedTempFile> {
+fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
     use std::os::unix::fs::PermissionsExt;
     // Private by default; a mesh is as public as any other file its owner makes.
     tempfile::Builder::new()
@@ -64,7 +105,7 @@ fn new_file(folder: &Path) -> std::io::Result<NamedTempFile> {
 }
 
 #[cfg(not(unix))]
-fn new_file(folder: &Path) -> std::io::Result<NamedTempFile> {
+fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
     NamedTempFile::new_in(folder)
 }
 
@@ -100,5 +141,42 @@ mod tests {
             error.to_string().starts_with("/no/such/folder/mesh.off: "),
             "{error}"
         );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_and_its_target_is_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let (file, link) = (
+            folder.path().join("mesh.off"),
+            folder.path().join("link.off"),
+        );
+        std::fs::write(&file, "old").unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        write_atomically(&link, |out| Ok(out.write_all(b"new")?)).unwrap();
+        assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(std::fs::read(&file).unwrap(), b"new");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_gets_the_bytes_and_stays_a_pipe() {
+        use std::os::unix::fs::FileTypeExt;
+        let folder = tempfile::tempdir().unwrap();
+        let pipe = folder.path().join("pipe.off");
+        assert!(
+            std::process::Command::new("mkfifo")
+                .arg(&pipe)
+                .status()
+                .unwrap()
+                .success()
+        );
+        let reader = std::thread::spawn({
+            let pipe = pipe.clone();
+            move || std::fs::read(pipe)
+        });
+        write_atomically(&pipe, |out| Ok(out.write_all(b"OFF")?)).unwrap();
+        assert!(std::fs::metadata(&pipe).unwrap().file_type().is_fifo());
+        assert_eq!(reader.join().unwrap().unwrap(), b"OFF");
     }
 }

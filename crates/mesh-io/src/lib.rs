@@ -1,4 +1,42 @@
 //! Mesh file formats: plain points, cells, markers and structured blocks, read and written without a panic.
+//!
+//! ```
+//! use mesh_io::{Cell, Cells, Mesh, read_mesh, write_mesh};
+//!
+//! let points = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+//! let mesh = Mesh::new(points, Cells::from_iter([Cell::Triangle([0, 1, 2])]));
+//!
+//! let folder = tempfile::tempdir()?;
+//! write_mesh(&folder.path().join("triangle.vtu"), &mesh)?;
+//! assert_eq!(read_mesh(&folder.path().join("triangle.vtu"))?, mesh);
+//!
+//! std::fs::write(folder.path().join("bad.off"), "OFF\n3 1 0\n0 0 0\n1 0 nan\n")?;
+//! let error = read_mesh(&folder.path().join("bad.off")).unwrap_err();
+//! assert!(error.to_string().ends_with("bad.off:4: point 1: z is NaN, which is not a finite number"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | name of the file | [`Format`] | reads | writes | keeps |
+//! |---|---|---|---|---|
+//! | `.vtu` | [`vtu`] | mesh | mesh | everything |
+//! | `.msh` | [`msh`] | mesh | mesh | everything, markers of cells as physical groups |
+//! | `.p3d`, `.p3b` | [`plot3d`] | blocks | blocks | names and connections in a [`connectivity_map`] beside it |
+//! | `blockMeshDict` | [`block_mesh_dict`] | | blocks | what `blockMesh` needs to make them anew |
+//! | `.node`, `.ele` | [`triangle`] | mesh | triangles or tetrahedra | markers, and data without names |
+//! | `.poly` | [`triangle`] | planar graph | planar graph | everything but names of data |
+//! | `.off` | [`off`] | mesh | cells without volume | points and cells |
+//! | `.xy`, `.xyz` | [`xy`] | points | points | points |
+//! | `DOMAIN.toml` | [`circles_toml`] | circles | circles | everything |
+//!
+//! The crate knows no geometry: nothing is oriented, repaired or judged here but form. What it promises instead:
+//!
+//! - a reader answers any bytes with data that pass [`Mesh::check`] (or its like), or with a [`ReadError`] that names line or byte,
+//!   element and value; it allocates for what it has seen, never for what a header claims;
+//! - a writer puts a whole file at its place or leaves what was there ([`write_atomically`]); a format that has no place for a cell
+//!   refuses it, and what else is left out stands in the table;
+//! - what is written and read back has the same bits.
+//!
+//! [`svg`] draws pictures; it shares nothing with the rest but the name of being a file format.
 
 mod atomic;
 pub mod block_mesh_dict;
