@@ -4,7 +4,7 @@
 //! reach it. The point nearest to a corner of the region takes the corner, the others go to the nearest point
 //! of the edge that their cell shares the most with, and slide along it from then on.
 
-use delaunay_core::ConvexPolygon;
+use delaunay_core::{ConvexPolygon, VertexId};
 use glam::DVec2;
 
 use crate::error::GeneratorError;
@@ -38,7 +38,7 @@ impl Generators {
             .map(|cell| shared_edge(self.region(), &cell))
             .collect();
         for (corner, &at) in self.region().corners().iter().enumerate() {
-            let nearest = self.delaunay().nearest_vertex(at).ok().map(|v| v.index());
+            let nearest = self.delaunay().nearest_vertex(at).ok().map(VertexId::index);
             match nearest.and_then(|i| places.get_mut(i)) {
                 Some(Place::Corner(_)) | None => {}
                 Some(place) => *place = Place::Corner(corner),
