@@ -5,31 +5,35 @@
 //! nodes give bubbles to triangles, and the ratio of bubble to triangle says where a node is missing.
 //!
 //! ```
-//! use bubble_mesh::{Bubble, boundary_bubbles, bubble_density};
+//! use bubble_mesh::{Domain, Params, Stop, generate, radius_ratio};
+//! use delaunay_core::progress::silent;
 //! use glam::DVec2;
 //!
-//! // An equilateral triangle is as large as its own edges ask for.
-//! let corners = [[0.0, 0.0], [2.0, 0.0], [1.0, 3f64.sqrt()]].map(DVec2::from);
-//! let nodes = boundary_bubbles(&corners)?;
-//! let [a, b, c] = [nodes[0], nodes[1], nodes[2]];
-//! assert!((bubble_density([a, b, c]) - 1.0).abs() < 1e-15);
+//! // A circle with 60 nodes.
+//! let node = |i: u32| DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 60.0);
+//! let boundary: Vec<DVec2> = (0..60).map(node).collect();
+//! let mesh = generate(Domain::convex(&boundary)?, &Params::default(), &mut silent);
+//! assert_eq!(mesh.stop, Stop::Filled);
 //!
-//! // With one corner far off it is too large for its short edge.
-//! let far = Bubble { center: DVec2::new(1.0, 9.0), ..c };
-//! assert!(bubble_density([a, b, far]) < 0.25);
-//! # Ok::<(), bubble_mesh::BoundaryError>(())
+//! let quality = |f| radius_ratio(mesh.delaunay.triangle(f));
+//! assert!(mesh.delaunay.faces().map(quality).sum::<f64>() > 0.8 * mesh.delaunay.faces().count() as f64);
+//! # Ok::<(), bubble_mesh::DomainError>(())
 //! ```
 //!
-//! In the crate today: node bubbles, element bubbles and bubble density (§2.3, eq. 1–5), and the radius ratio
-//! (eq. 10) from the shared measures. To come: the generation of meshes (§2.4) and their optimization by
-//! bubble forces (§3). The crate does not make meshes yet.
+//! In the crate today: node bubbles, element bubbles and bubble density (§2.3, eq. 1–5), the radius ratio
+//! (eq. 10) from the shared measures, and the generation of meshes (§2.4) for convex regions. To come: regions
+//! of any outline with holes, which need constrained edges (§2.1), and the optimization by bubble forces (§3).
 
 mod bubble;
+mod domain;
 mod error;
+mod generate;
 
 pub use bubble::{
     Bubble, boundary_bubbles, boundary_node_area, boundary_node_radius, bubble_density, centroid,
 };
 /// Radius ratio, the quality of a triangle. Source: eq. 10.
 pub use delaunay_core::measure::triangle::radius_ratio;
-pub use error::BoundaryError;
+pub use domain::Domain;
+pub use error::{BoundaryError, DomainError};
+pub use generate::{Mesh, Params, Stop, generate};
