@@ -40,6 +40,12 @@ pub use bubble_mesh;
 pub use cvt_tet;
 pub use delaunay_core;
 pub use geo_predicates;
+pub use glam;
 pub use medial_blocking;
 pub use mesh_io;
 pub use sink_refine;
+
+/// The examples of the README are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;
