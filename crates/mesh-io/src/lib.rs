@@ -34,7 +34,7 @@
 //!   element and value; it allocates for what it has seen, never for what a header claims;
 //! - a writer puts a whole file at its place or leaves what was there ([`write_atomically`]); a format that has no place for a cell
 //!   refuses it, and what else is left out stands in the table;
-//! - what is written and read back has the same bits.
+//! - what is written and read back has the same bits, but for a `z` of -0.0 in a planar file, which is 0.0.
 //!
 //! [`svg`] draws pictures; it shares nothing with the rest but the name of being a file format.
 

@@ -69,7 +69,8 @@ proptest! {
         let node = file(|out| write_node(out, &mesh));
         let ele = file(|out| write_ele(out, &mesh));
         let read = parse_ele(&ele, parse_node(&node).unwrap()).unwrap();
-        prop_assert_eq!(bits(&points_alone(&read)), bits(&points_alone(&mesh)));
+        // A planar file has no place for the sign of z = -0.0.
+        prop_assert_eq!(&read.points, &mesh.points);
         prop_assert_eq!((&read.cells, &read.point_markers), (&mesh.cells, &mesh.point_markers));
         let attributes: Vec<_> = read.point_data.iter().map(|array| array.values.clone()).collect();
         for (row, vector) in mesh.point_data[0].values.chunks(3).enumerate() {
