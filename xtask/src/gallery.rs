@@ -145,3 +145,17 @@ fn readme() -> String {
     }
     page
 }
+
+#[cfg(test)]
+mod tests {
+    use super::marked_difference;
+
+    #[test]
+    fn lines_that_go_and_come_are_marked_and_escaped() {
+        let marked = marked_difference("blocks 36\nangle < 46", "blocks 36\nangle < 47");
+        assert_eq!(
+            marked,
+            "blocks 36\n<del>angle &lt; 46</del><ins>angle &lt; 47</ins>"
+        );
+    }
+}

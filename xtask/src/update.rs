@@ -7,7 +7,7 @@ use std::process::Command;
 
 use clap::Args;
 
-use crate::figures::golden::{Golden, Standing, assert_golden, orphans};
+use crate::figures::golden::{Golden, Standing, assert_picture, assert_summary, orphans};
 use crate::figures::{self, Figure, Rendered};
 use crate::gallery::{self, Exhibit};
 
@@ -123,7 +123,8 @@ fn check(exhibits: &[Exhibit], args: &FiguresArgs) -> Result<bool, Box<dyn Error
 /// Accepts every figure, removes orphans and writes the gallery page.
 fn accept(exhibits: &[Exhibit], args: &FiguresArgs) -> Result<bool, Box<dyn Error>> {
     for exhibit in exhibits {
-        assert_golden(exhibit.figure, &exhibit.new);
+        assert_picture(exhibit.figure, &exhibit.new);
+        assert_summary(exhibit.figure, &exhibit.new);
     }
     if args.only.is_none() {
         for orphan in orphans()? {

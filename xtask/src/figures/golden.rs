@@ -82,22 +82,33 @@ impl Golden {
     }
 }
 
-/// Asserts that a figure is what its golden shows; insta decides what a difference leads to (`INSTA_UPDATE`).
+/// Asserts that a figure's picture is what its golden shows; insta decides what a difference leads to (`INSTA_UPDATE`).
 ///
 /// # Panics
 /// When insta finds a difference and is not told to accept it.
-pub fn assert_golden(figure: &Figure, rendered: &Rendered) {
+pub fn assert_picture(figure: &Figure, rendered: &Rendered) {
+    let picture = format!("{}.svg", figure.name);
+    settings(figure)
+        .bind(|| insta::assert_binary_snapshot!(&picture, rendered.svg.clone().into_bytes()));
+}
+
+/// The same for its summary.
+///
+/// # Panics
+/// When insta finds a difference and is not told to accept it.
+pub fn assert_summary(figure: &Figure, rendered: &Rendered) {
+    let summary = format!("{}{SUMMARY}", figure.name);
+    settings(figure).bind(|| insta::assert_snapshot!(summary, rendered.summary));
+}
+
+fn settings(figure: &Figure) -> Settings {
     let mut settings = Settings::new();
     settings.set_snapshot_path(folder());
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.set_description(figure.caption);
     settings.set_comparator(Box::new(PicturesAlike));
-    settings.bind(|| {
-        let picture = format!("{}.svg", figure.name);
-        insta::assert_binary_snapshot!(&picture, rendered.svg.clone().into_bytes());
-        insta::assert_snapshot!(format!("{}{SUMMARY}", figure.name), rendered.summary);
-    });
+    settings
 }
 
 /// Files in `docs/figures` that belong to no figure.
@@ -154,5 +165,57 @@ impl Comparator for PicturesAlike {
 
     fn dyn_clone(&self) -> Box<dyn Comparator> {
         Box::new(Self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn golden(svg: &str, summary: &str) -> Golden {
+        Golden {
+            svg: Some(svg.to_owned()),
+            summary: Some(summary.to_owned()),
+        }
+    }
+
+    fn rendered() -> Rendered {
+        Rendered {
+            svg: "<path d=\"M1 2\"/>".to_owned(),
+            summary: "angle 1.0\n".to_owned(),
+        }
+    }
+
+    #[test]
+    fn a_figure_is_fresh_up_to_what_the_eye_cannot_see() {
+        assert_eq!(
+            golden("<path d=\"M1.001 2\"/>", "angle 1.0").standing(&rendered()),
+            Standing::Fresh
+        );
+    }
+
+    #[test]
+    fn a_summary_that_differs_at_all_is_stale() {
+        assert_eq!(
+            golden("<path d=\"M1 2\"/>", "angle 1.001").standing(&rendered()),
+            Standing::Stale
+        );
+    }
+
+    #[test]
+    fn a_figure_without_picture_or_without_summary_is_missing() {
+        let whole = golden("", "");
+        for part in [
+            Golden {
+                svg: None,
+                ..whole.clone()
+            },
+            Golden {
+                summary: None,
+                ..whole
+            },
+        ] {
+            assert_eq!(part.standing(&rendered()), Standing::Missing);
+        }
     }
 }
