@@ -1,3 +1,5 @@
+use proptest::prelude::*;
+
 use super::*;
 
 fn one_panel(fill: impl FnOnce(&mut Layer)) -> Result<String, PictureError> {
@@ -100,4 +102,50 @@ fn a_picture_without_panels_is_a_document() {
             .unwrap()
             .ends_with("</svg>\n")
     );
+}
+
+/// Numbers of all sorts, hostile ones among them.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => -2.0..3.0, 1 => any::<f64>()]
+}
+
+fn point() -> impl Strategy<Value = Point> {
+    [number(), number()]
+}
+
+fn mark(layer: &mut Layer, kind: u8, points: &[Point], text: &str) {
+    let at = points[0];
+    match kind {
+        0 => layer.polyline(points.iter().copied()),
+        1 => layer.polygon(points.iter().copied()),
+        2 => layer.circle(at, points[1][0]),
+        3 => layer.dot(at, points[1][0]),
+        4 => layer.text(at, points[1], Anchor::Start, text),
+        5 => layer.arrow(at, points[1]),
+        _ => layer.colored_polygons(
+            &ColorMap::new(at[0], at[1]),
+            [(points.to_vec(), points[1][0])],
+        ),
+    };
+}
+
+proptest! {
+    #[test]
+    fn whatever_is_drawn_gives_an_error_or_well_formed_xml_with_finite_numbers(
+        marks in prop::collection::vec((0u8..7, prop::collection::vec(point(), 2..6)), 0..8),
+        text in any::<String>(),
+        width in number(),
+    ) {
+        let mut panel = Panel::new(Window::new([0.0, 0.0], [1.0, 1.0])).width(100.0 * width).caption(&text);
+        let layer = panel.layer(&text, Style::line(Stroke { width, ..Stroke::dotted(Color::RED) }));
+        for (kind, points) in &marks {
+            mark(layer, *kind, points, &text);
+        }
+        let bar = ColorBar { map: ColorMap::new(width, 1.0), title: text.clone(), ticks: vec![width], unit: text.clone() };
+        if let Ok(svg) = Picture::new(&text).panel(panel.color_bar(bar)).key(&text, Sample::Dot(Color::INK)).to_svg() {
+            let mut reader = quick_xml::Reader::from_str(&svg);
+            while !matches!(reader.read_event().unwrap(), quick_xml::events::Event::Eof) {}
+            prop_assert!(!svg.contains("=\"NaN") && !svg.contains("inf\""));
+        }
+    }
 }

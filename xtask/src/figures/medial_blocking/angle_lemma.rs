@@ -116,11 +116,13 @@ fn name_points(panel: &mut Panel, vertex: &MedialVertex, points: &[(DVec2, &str)
             name,
         );
     }
+    // Half way between an η-curve and the medial arc beside it.
     let towards = points
         .iter()
         .map(|&(point, _)| point - vertex.center)
         .nth(1)
         .unwrap_or(DVec2::Y);
+    let towards = DVec2::from_angle(0.5).rotate(towards);
     names
         .dot(vertex.center, 3.0)
         .text(vertex.center, nudge(towards, 15.0), Anchor::Middle, "c");

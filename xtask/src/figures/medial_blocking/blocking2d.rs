@@ -78,6 +78,12 @@ fn at_line_8(blocking: &Blocking, axis: &SampledAxis<'_>, pair: &BlockPair) -> P
     let mut panel = backdrop(blocking, axis, pair, delta);
     draw_curves(&mut panel, axis, pair, step);
     let p = axis.point(axis.triangulation.apex(lambda0));
+    let [a, b] = axis
+        .triangulation
+        .ends(pair.sequence.start)
+        .map(|corner| axis.point(corner));
+    let start = centroid(axis, pair.sequence.start.triangle);
+    name_points(&mut panel, start, &[(a, "a"), (b, "b")]);
     name_points(&mut panel, middle(axis, lambda0), &[(p, "p")]);
     let (lambda1, lambda2) = (lambda0.next(), lambda0.next().next());
     let sides = [(lambda0, "λ = λ0"), (lambda1, "λ1"), (lambda2, "λ2")];
@@ -162,7 +168,7 @@ fn name_sides(panel: &mut Panel, axis: &SampledAxis<'_>, sides: &[(SideId, &str)
             .map(|corner| axis.point(corner));
         layer.polyline([a, b]);
         layer.text(
-            a.midpoint(b),
+            a.lerp(b, 0.4),
             nudge(-(b - a).perp(), 16.0),
             Anchor::Middle,
             name,

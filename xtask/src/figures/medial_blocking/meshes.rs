@@ -7,8 +7,8 @@ use vide::picture::{CellQuality, block_panel, keyed, quality_panel};
 
 use super::super::table::Table;
 use super::super::{Render, Rendered};
-use super::data_sets::domain_of;
 use mesh_io::svg::Picture;
+use vide::convert::domain_of;
 
 /// Cells along each side of a block. The paper gives no number.
 const CELLS: u32 = 8;

@@ -3,7 +3,6 @@
 mod angle_lemma;
 mod blocking2d;
 mod correspondence;
-mod data_sets;
 mod delaunay;
 mod ink;
 mod medial_axis;
