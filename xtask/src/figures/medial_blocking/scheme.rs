@@ -119,7 +119,7 @@ fn draw_block(panel: &mut Panel, blocking: &Blocking, id: BlockId) {
     for (side, name) in names {
         let middle = blocking.curve(id, side, 0.5);
         // ξ0 is named inside the block: outside there may be little room.
-        let side_of_name = if side == BlockSide::Xi0 { -17.0 } else { 17.0 };
+        let side_of_name = if side == BlockSide::Xi0 { -12.0 } else { 17.0 };
         let away = (middle - inside).normalize_or(DVec2::Y) * side_of_name;
         layer.text(middle, away.to_array(), Anchor::Middle, name);
     }
