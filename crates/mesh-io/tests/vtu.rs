@@ -5,7 +5,7 @@
 mod meshes;
 mod spoiled;
 
-use mesh_io::{CellKind, Mesh, vtu};
+use mesh_io::{CellKind, DataArray, Mesh, vtu};
 use meshes::mesh;
 use proptest::prelude::*;
 use spoiled::{spoiled, spoils};
@@ -136,4 +136,43 @@ fn errors_name_line_element_and_number() {
         ),
     ];
     insta::assert_snapshot!(messages.join("\n"));
+}
+
+#[test]
+fn data_keep_their_order() {
+    let mut mesh = vtu::parse(ASCII.as_bytes()).unwrap();
+    mesh.point_data = ["a", "c", "b", "a"]
+        .map(|name| DataArray::scalar(name, vec![0.0; 3]))
+        .into();
+    assert_eq!(vtu::parse(&written(&mesh)).unwrap(), mesh);
+}
+
+#[test]
+fn pieces_with_other_data_are_refused() {
+    let data = |name: &str| {
+        let array = format!(
+            "<DataArray type=\"Float64\" Name=\"{name}\" format=\"ascii\">1 2 3</DataArray>"
+        );
+        format!("<PointData>{array}</PointData><Points>")
+    };
+    let start = ASCII.find("<Piece").unwrap();
+    let end = ASCII.find("</UnstructuredGrid>").unwrap();
+    let piece = |name: &str| ASCII[start..end].replace("<Points>", &data(name));
+    let file = |names: [&str; 2]| {
+        [
+            &ASCII[..start],
+            &piece(names[0]),
+            &piece(names[1]),
+            &ASCII[end..],
+        ]
+        .concat()
+    };
+    assert_eq!(
+        vtu::parse(file(["a", "a"]).as_bytes()).unwrap().point_data[0].values,
+        [1., 2., 3., 1., 2., 3.]
+    );
+    insta::assert_snapshot!(
+        vtu::parse(file(["a", "b"]).as_bytes()).unwrap_err(),
+        @"line 13: expected the data arrays of the piece before, found `b`"
+    );
 }

@@ -67,6 +67,13 @@ pub(super) enum Numbers {
 }
 
 impl Numbers {
+    pub(super) const fn len(&self) -> usize {
+        match self {
+            Self::Integers(values) => values.len(),
+            Self::Reals(values) => values.len(),
+        }
+    }
+
     pub(super) fn into_reals(self) -> Vec<f64> {
         match self {
             Self::Integers(values) => values.into_iter().map(|value| value as f64).collect(),

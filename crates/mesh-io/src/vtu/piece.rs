@@ -37,26 +37,24 @@ impl Piece {
         let first_cell = mesh.cells.len();
         self.append_points(mesh)?;
         self.append_cells(mesh, first_point)?;
+        let mut of_points = Joining {
+            elements: self.points,
+            before: first_point,
+            next: 0,
+            markers: &mut mesh.point_markers,
+            fields: &mut mesh.point_data,
+        };
+        let mut of_cells = Joining {
+            elements: self.cells,
+            before: first_cell,
+            next: 0,
+            markers: &mut mesh.cell_markers,
+            fields: &mut mesh.cell_data,
+        };
         for array in self.arrays {
             match array.section {
-                Section::PointData => {
-                    append_data(
-                        array,
-                        self.points,
-                        first_point,
-                        &mut mesh.point_markers,
-                        &mut mesh.point_data,
-                    )?;
-                }
-                Section::CellData => {
-                    append_data(
-                        array,
-                        self.cells,
-                        first_cell,
-                        &mut mesh.cell_markers,
-                        &mut mesh.cell_data,
-                    )?;
-                }
+                Section::PointData => of_points.append(array)?,
+                Section::CellData => of_cells.append(array)?,
                 Section::Points | Section::Cells => {}
             }
         }
@@ -67,7 +65,7 @@ impl Piece {
         let fits =
             |array: &Array| array.section == section && name.is_none_or(|name| array.name == name);
         let index = self.arrays.iter().position(fits)?;
-        Some(self.arrays.swap_remove(index).numbers)
+        Some(self.arrays.remove(index).numbers)
     }
 
     fn append_points(&mut self, mesh: &mut Mesh) -> Result<(), ReadProblem> {
@@ -199,52 +197,68 @@ fn count_differs(what: &str, claimed: usize, found: usize) -> ReadProblem {
     }
 }
 
-/// Joins data of one piece to those of the pieces before, which must have had the same.
-fn append_data(
-    array: Array,
+/// Data of one piece on their way behind those of the pieces before, which must be the same arrays in the same order.
+struct Joining<'a> {
+    /// Points or cells of this piece.
     elements: usize,
+    /// Points or cells of the pieces before.
     before: usize,
-    markers: &mut Option<Vec<i32>>,
-    fields: &mut Vec<DataArray>,
-) -> Result<(), ReadProblem> {
-    let Array {
-        name,
-        components,
-        numbers,
-        ..
-    } = array;
-    let found = match &numbers {
-        Numbers::Integers(values) => values.len(),
-        Numbers::Reals(values) => values.len(),
-    };
-    let expected = elements.saturating_mul(components);
-    if found != expected {
-        return Err(count_differs(
-            &format!("values of {}", quoted(&name)),
-            expected,
-            found,
-        ));
+    /// Which of `fields` comes next.
+    next: usize,
+    markers: &'a mut Option<Vec<i32>>,
+    fields: &'a mut Vec<DataArray>,
+}
+
+impl Joining<'_> {
+    fn append(&mut self, array: Array) -> Result<(), ReadProblem> {
+        let found = array.numbers.len();
+        let expected = self.elements.saturating_mul(array.components);
+        if found != expected {
+            let what = format!("values of {}", quoted(&array.name));
+            return Err(count_differs(&what, expected, found));
+        }
+        match self.as_markers(&array) {
+            Some(values) => self.markers.get_or_insert_default().extend(values),
+            None => self.append_field(array)?,
+        }
+        Ok(())
     }
-    if let (MARKER, 1, Numbers::Integers(values)) = (name.as_str(), components, &numbers)
-        && markers.as_ref().map_or(0, Vec::len) == before
-        && let Ok(values) = values
-            .iter()
-            .map(|&value| i32::try_from(value))
-            .collect::<Result<Vec<_>, _>>()
-    {
-        markers.get_or_insert_default().extend(values);
-        return Ok(());
+
+    /// The numbers of an array that holds markers.
+    fn as_markers(&self, array: &Array) -> Option<Vec<i32>> {
+        let Numbers::Integers(values) = &array.numbers else {
+            return None;
+        };
+        let known = self.markers.as_ref().map_or(0, Vec::len);
+        if array.name != MARKER || array.components != 1 || known != self.before {
+            return None;
+        }
+        let values = values.iter().map(|&value| i32::try_from(value).ok());
+        values.collect()
     }
-    let values = numbers.into_reals();
-    match fields.iter_mut().find(|field| field.name == name) {
-        Some(field) if field.components == components => field.values.extend(values),
-        _ => fields.push(DataArray {
+
+    fn append_field(&mut self, array: Array) -> Result<(), ReadProblem> {
+        let Array {
             name,
             components,
-            values,
-        }),
+            numbers,
+            ..
+        } = array;
+        let values = numbers.into_reals();
+        match self.fields.get_mut(self.next) {
+            Some(field) if field.name == name && field.components == components => {
+                field.values.extend(values);
+            }
+            None if self.before == 0 => self.fields.push(DataArray {
+                name,
+                components,
+                values,
+            }),
+            _ => return Err(unexpected("the data arrays of the piece before", &name)),
+        }
+        self.next += 1;
+        Ok(())
     }
-    Ok(())
 }
 
 pub(super) fn unexpected(expected: &str, found: &str) -> ReadProblem {

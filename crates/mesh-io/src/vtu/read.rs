@@ -43,10 +43,16 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, ReadError> {
 /// Everything up to `<AppendedData`, and what follows it.
 fn split_appended(bytes: &[u8]) -> (&[u8], &[u8]) {
     const TAG: &[u8] = b"<AppendedData";
-    match bytes.windows(TAG.len()).position(|window| window == TAG) {
-        Some(start) => bytes.split_at(start),
-        None => (bytes, &[]),
+    let mut start = 0;
+    // Few bytes of a large file open a tag, so most are looked at once.
+    while let Some(step) = bytes[start..].iter().position(|&byte| byte == b'<') {
+        start += step;
+        if bytes[start..].starts_with(TAG) {
+            return bytes.split_at(start);
+        }
+        start += 1;
     }
+    (bytes, &[])
 }
 
 /// What is known while the XML is walked.
