@@ -1,8 +1,10 @@
 //! Figures 12, 13 and 14: the meshes of the paper's three data sets, and their angles beside the paper's.
 
-use delaunay_core::measure::quad::corner_angles;
+use delaunay_core::measure::AngleSummary;
 use fixtures::circles;
-use medial_blocking::{BlockMesh, Blocking, CellCounts, Domain, NodeMatching, Params};
+use medial_blocking::{
+    BlockMesh, Blocking, BlockingError, CellCounts, Domain, NodeMatching, Params,
+};
 use vide::picture::{CellQuality, block_panel, keyed, quality_panel};
 
 use super::super::table::Table;
@@ -10,8 +12,25 @@ use super::super::{Render, Rendered};
 use mesh_io::svg::Picture;
 use vide::convert::domain_of;
 
-/// Cells along each side of a block. The paper gives no number.
+/// Cells along each side of a block in the picture. The paper gives no number.
 const CELLS: u32 = 8;
+
+/// The meshes in the table. The means depend on the number of cells, which the paper does not give, so there are two.
+const MESHES: [(u32, NodeMatching); 4] = [
+    (8, NodeMatching::EqualSpacing),
+    (16, NodeMatching::EqualSpacing),
+    (8, NodeMatching::EmptyCircle),
+    (16, NodeMatching::EmptyCircle),
+];
+
+const HEADINGS: [&str; 6] = [
+    "",
+    "paper",
+    "equal spacing, 8x8 cells a block",
+    "16x16",
+    "empty-circle matching, 8x8",
+    "16x16",
+];
 
 /// What the paper says about a mesh (§5).
 struct Printed {
@@ -53,23 +72,24 @@ pub(super) fn lattice() -> Render {
 
 fn figure(domain: &Domain, printed: &Printed) -> Render {
     let blocking = Blocking::of(domain)?;
-    let mesh = |matching| {
-        BlockMesh::of(
-            blocking.clone(),
-            &Params {
-                cells: CellCounts::PerBlock(CELLS),
-                matching,
-            },
-        )
-    };
-    let (equal, matched) = (
-        mesh(NodeMatching::EqualSpacing)?,
-        mesh(NodeMatching::EmptyCircle)?,
-    );
+    let drawn = meshed(&blocking, CELLS, NodeMatching::EqualSpacing)?;
+    let mut columns = Vec::new();
+    for (cells, matching) in MESHES {
+        columns.push(Column::of(&meshed(&blocking, cells, matching)?));
+    }
     Ok(Rendered {
-        svg: picture(&equal, printed.title).to_svg()?,
-        summary: summary(printed, &equal, &matched),
+        svg: picture(&drawn, printed.title).to_svg()?,
+        summary: summary(printed, &blocking, &columns),
     })
+}
+
+fn meshed(
+    blocking: &Blocking,
+    cells: u32,
+    matching: NodeMatching,
+) -> Result<BlockMesh, BlockingError> {
+    let cells = CellCounts::PerBlock(cells);
+    BlockMesh::of(blocking.clone(), &Params { cells, matching })
 }
 
 fn picture(mesh: &BlockMesh, title: &str) -> Picture {
@@ -84,71 +104,57 @@ fn picture(mesh: &BlockMesh, title: &str) -> Picture {
     )
 }
 
-fn summary(printed: &Printed, equal: &BlockMesh, matched: &BlockMesh) -> String {
-    let blocking = equal.blocking();
-    let count = |what: &str, number: usize| {
-        [
-            what.to_owned(),
-            "-".to_owned(),
-            number.to_string(),
-            number.to_string(),
-        ]
-    };
-    let mut table = Table::new(
-        printed.title,
-        ["", "paper", "equal spacing", "empty-circle matching"],
-    )
-    .row([
-        "blocks".to_owned(),
-        printed.blocks.to_string(),
-        blocking.blocks().len().to_string(),
-        matched.blocking().blocks().len().to_string(),
-    ])
-    .row(count("medial vertices", blocking.vertices().len()))
-    .row(count("medial arcs", blocking.arcs().len()))
-    .row(count(
-        "thin arcs (below 0.2 of the clearance)",
-        blocking.thin_arcs(0.2).count(),
-    ))
-    .row(count("cells per block", (CELLS * CELLS) as usize))
-    .row([
-        "arcs whose wall nodes lean, lest cells fold".to_owned(),
-        "-".to_owned(),
-        equal.leaning_arcs().len().to_string(),
-        matched.leaning_arcs().len().to_string(),
-    ]);
-    let (equal, matched) = (angles(equal), angles(matched));
-    let names = [
-        "smallest angle",
-        "largest angle",
-        "mean smallest angle",
-        "mean largest angle",
-    ];
-    for (k, name) in names.into_iter().enumerate() {
-        table = table.row([
-            name.to_owned(),
-            format!("{:.0}°", printed.angles[k]),
-            format!("{:.1}°", equal[k]),
-            format!("{:.1}°", matched[k]),
-        ]);
-    }
-    table.to_string()
+/// The figures of one mesh.
+struct Column {
+    leaning: usize,
+    angles: Option<AngleSummary>,
 }
 
-/// Smallest and largest corner angle, mean of the cells' smallest and of their largest angles, in degrees.
-fn angles(mesh: &BlockMesh) -> [f64; 4] {
-    let mut angles = [f64::INFINITY, f64::NEG_INFINITY, 0.0, 0.0];
-    for cell in mesh.cells() {
-        let corners = corner_angles(cell);
-        let smallest = corners.into_iter().fold(f64::INFINITY, f64::min);
-        let largest = corners.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        angles = [
-            angles[0].min(smallest),
-            angles[1].max(largest),
-            angles[2] + smallest,
-            angles[3] + largest,
-        ];
+impl Column {
+    fn of(mesh: &BlockMesh) -> Self {
+        Self {
+            leaning: mesh.leaning_arcs().len(),
+            angles: AngleSummary::of_quads(mesh.cells()),
+        }
     }
-    let cells = mesh.cell_count() as f64;
-    [angles[0], angles[1], angles[2] / cells, angles[3] / cells]
+
+    fn degrees(&self, of: fn(&AngleSummary) -> f64) -> String {
+        let degrees = |summary| format!("{:.1}°", of(summary));
+        self.angles.as_ref().map_or_else(|| "-".to_owned(), degrees)
+    }
+}
+
+fn summary(printed: &Printed, blocking: &Blocking, columns: &[Column]) -> String {
+    let row = |what: &str, paper: String, ours: &dyn Fn(&Column) -> String| {
+        let cells = [what.to_owned(), paper].into_iter();
+        cells.chain(columns.iter().map(ours)).collect::<Vec<_>>()
+    };
+    let count = |what: &str, number: usize| row(what, "-".to_owned(), &|_| number.to_string());
+    let thin = blocking.thin_arcs(0.2).count();
+    let blocks = blocking.blocks().len();
+    let table = Table::new(printed.title, HEADINGS)
+        .row(row("blocks", printed.blocks.to_string(), &|_| {
+            blocks.to_string()
+        }))
+        .row(count("medial vertices", blocking.vertices().len()))
+        .row(count("medial arcs", blocking.arcs().len()))
+        .row(count("thin arcs (below 0.2 of the clearance)", thin))
+        .row(row(
+            "arcs whose nodes lean, lest cells fold",
+            "-".to_owned(),
+            &|column| column.leaning.to_string(),
+        ));
+    let angles: [(&str, fn(&AngleSummary) -> f64); 4] = [
+        ("smallest angle", |summary| summary.min),
+        ("largest angle", |summary| summary.max),
+        ("mean smallest angle", |summary| summary.mean_smallest),
+        ("mean largest angle", |summary| summary.mean_largest),
+    ];
+    let rows = angles.into_iter().zip(printed.angles);
+    rows.fold(table, |table, ((name, of), paper)| {
+        table.row(row(name, format!("{paper:.0}°"), &|column| {
+            column.degrees(of)
+        }))
+    })
+    .to_string()
 }
