@@ -119,7 +119,8 @@ fn add_places(points: &[DVec2], keys: &mut [u64], layout: KeyLayout) -> bool {
 /// Sorts the points of every crowded cell along a curve of their own.
 ///
 /// Ends because the bounding box of a crowd spreads over all cells along its longer side, so each
-/// level splits it; equal points, which nothing splits, are left alone.
+/// level splits it; equal points, which nothing splits, and points closer than accepted coordinates
+/// can be are left alone.
 fn order_crowds(points: &[DVec2], keys: &mut [u64], layout: KeyLayout) {
     let crowds = keys.chunk_by_mut(|&a, &b| layout.cell(a) == layout.cell(b));
     for crowd in crowds.filter(|crowd| crowd.len() > CROWD) {
@@ -146,7 +147,10 @@ impl Grid {
         let (low, high) = points.fold(nowhere, |(low, high), p| (low.min(p), high.max(p)));
         let side = (high - low).max_element();
         let cells = f64::from(1_u32 << bits);
-        let scale = if side > 0.0 { cells / side } else { 0.0 };
+        let scale = cells / side;
+        // A box without a size, or too small for its cells to be counted per unit of length, has one cell.
+        let divisible = side > 0.0 && scale.is_finite();
+        let scale = if divisible { scale } else { 0.0 };
         Self {
             corner: low,
             scale,
@@ -229,6 +233,16 @@ mod tests {
         for i in 0..5000 {
             points.push(DVec2::new(strange[i % 6], strange[i / 6 % 6]));
         }
+        assert_permutation(&insertion_order(&points));
+    }
+
+    /// The grid over a box smaller than 2^-1004 once had infinitely many cells to a unit of length, so
+    /// that no level of curves split the crowd.
+    #[test]
+    fn a_crowd_of_subnormal_size_is_ordered_too() {
+        let points: Vec<DVec2> = (0..200)
+            .map(|i| DVec2::new(f64::from_bits(i % 50), f64::from_bits(i % 3)))
+            .collect();
         assert_permutation(&insertion_order(&points));
     }
 

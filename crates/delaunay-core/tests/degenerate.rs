@@ -135,6 +135,18 @@ fn removing_what_is_no_vertex_is_refused() {
     );
 }
 
+/// Each removal once passed over all duplicates.
+#[test]
+fn removing_many_vertices_that_have_duplicates_takes_no_quadratic_time() {
+    let points = clouds::uniform(100_000, 8);
+    let mut delaunay = Delaunay2::build(&[points.clone(), points].concat()).unwrap();
+    for v in (0..99_000).map(VertexId::new) {
+        assert_eq!(delaunay.remove(v), Ok(()));
+    }
+    assert_eq!(delaunay.duplicates().len(), 1000);
+    assert_eq!(delaunay.check(), Ok(()));
+}
+
 #[test]
 fn the_last_vertex_off_a_line_cannot_be_removed() {
     let mut delaunay = Delaunay2::build(&clouds::line_and_one(5)).unwrap();

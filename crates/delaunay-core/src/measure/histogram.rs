@@ -16,12 +16,14 @@ pub struct Histogram {
 }
 
 impl Histogram {
-    /// Empty histogram; without bins, or with `high` not above `low`, every value counts as outside.
+    /// Empty histogram; without bins, or with `high` not above `low` or an end not finite, every value counts
+    /// as outside.
     ///
     /// `u16` bounds the memory for whatever number of bins a user asks.
     #[must_use]
     pub fn new(low: f64, high: f64, bins: u16) -> Self {
-        let bins = if high > low { usize::from(bins) } else { 0 };
+        let has_width = low.is_finite() && high.is_finite() && high > low;
+        let bins = if has_width { usize::from(bins) } else { 0 };
         Self {
             low,
             high,
@@ -45,7 +47,9 @@ impl Histogram {
 
     /// The bin of a value between `low` and `high`.
     fn bin(&self, value: f64) -> usize {
-        let position = (value - self.low) / (self.high - self.low) * self.counts.len() as f64;
+        // Halves, because the distance of two numbers may be beyond the largest.
+        let [value, low, high] = [value, self.low, self.high].map(|end| end / 2.0);
+        let position = (value - low) / (high - low) * self.counts.len() as f64;
         // Rounding, and the value `high` itself, may reach one bin too far.
         (position as usize).min(self.counts.len().saturating_sub(1))
     }
@@ -63,6 +67,18 @@ mod tests {
         }
         assert_eq!(histogram.counts, [1, 2, 0, 1]);
         assert_eq!((histogram.below, histogram.above), (1, 3));
+    }
+
+    #[test]
+    fn bins_as_wide_as_numbers_go_tell_values_apart() {
+        let mut histogram = Histogram::new(-f64::MAX, f64::MAX, 2);
+        for value in [-f64::MAX, -1e308, 0.0, 1e308, f64::MAX] {
+            histogram.add(value);
+        }
+        assert_eq!((histogram.counts, histogram.above), (vec![2, 3], 0));
+        let mut endless = Histogram::new(0.0, f64::INFINITY, 2);
+        endless.add(1.0);
+        assert_eq!((endless.counts.len(), endless.above), (0, 1));
     }
 
     #[test]

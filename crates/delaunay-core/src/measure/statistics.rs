@@ -39,9 +39,7 @@ impl<I: Copy + Ord> Statistics<I> {
             .collect();
         sorted.sort_unstable_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
         let (&(_, min), &(_, max)) = (sorted.first()?, sorted.last()?);
-        let mut sum = Sum::default();
-        sorted.iter().for_each(|&(_, value)| sum.add(value));
-        let mean = sum.mean()?;
+        let mean = mean(&sorted)?;
         Some(Self {
             sorted,
             min,
@@ -113,6 +111,19 @@ impl<I: Copy + Ord> Statistics<I> {
     }
 }
 
+/// Arithmetic mean of the values, even of values so large that their sum is beyond the largest number.
+fn mean<I>(values: &[(I, f64)]) -> Option<f64> {
+    let scaled_mean = |scale: f64| {
+        let mut sum = Sum::default();
+        values.iter().for_each(|(_, value)| sum.add(value * scale));
+        Some(sum.mean()? / scale)
+    };
+    // There are fewer than 2^64 values.
+    scaled_mean(1.0)
+        .filter(|mean| mean.is_finite())
+        .or_else(|| scaled_mean(2f64.powi(-64)))
+}
+
 /// One zero and one NaN, so that equal values are equal in the order as well.
 fn canonical(value: f64) -> f64 {
     if value.is_nan() {
@@ -181,6 +192,17 @@ mod tests {
             (0.6, f64::INFINITY, f64::INFINITY)
         );
         assert_eq!(ratios.histogram(0.0, 5.0, 5).above, 1);
+    }
+
+    #[test]
+    fn values_whose_sum_overflows_have_a_finite_mean() {
+        let mean = |values: &[f64]| {
+            Statistics::of(values.iter().copied().enumerate())
+                .unwrap()
+                .mean()
+        };
+        assert_eq!(mean(&[f64::MAX; 3]), f64::MAX);
+        assert_eq!(mean(&[-f64::MAX, -f64::MAX, f64::MAX, f64::MAX]), 0.0);
     }
 
     #[test]

@@ -63,7 +63,8 @@ pub fn longest_edge(corners: [DVec3; 4]) -> f64 {
 /// Circumradius over shortest edge, r/l: dimensionless, at least √6/4 (regular), infinite when the volume is
 /// zero.
 ///
-/// Slivers may have a good value. Source: sink paper §4.3.
+/// Slivers may have a good value, and rounding may spoil it: four corners that are nearly on one circle have
+/// hardly a volume to divide by. Source: sink paper §4.3.
 #[must_use]
 pub fn radius_edge_ratio(corners: [DVec3; 4]) -> f64 {
     let spanned = spanned(corners);
@@ -71,7 +72,7 @@ pub fn radius_edge_ratio(corners: [DVec3; 4]) -> f64 {
     if radius.is_infinite() {
         radius
     } else {
-        radius / spanned.shortest_edge()
+        (radius / spanned.shortest_edge()).max(6f64.sqrt() / 4.0)
     }
 }
 
@@ -246,6 +247,20 @@ mod tests {
         assert_eq!([circumradius(t), radius_edge_ratio(t)], [f64::INFINITY; 2]);
         // The diagonals ac and bd see the square opened flat, the sides see it folded.
         assert_eq!(dihedral_angles(t), [0.0, 180.0, 0.0, 0.0, 180.0, 0.0]);
+    }
+
+    #[test]
+    fn the_ratio_of_a_sliver_is_not_better_than_that_of_the_regular_one() {
+        let height = 2f64.powi(-142);
+        for (x, y) in [(1.0, 1.0), (0.3, 0.7), (3.0, 1.1)] {
+            let t = corners([[0.0; 3], [x, y, 0.0], [x - y, y + x, height], [-y, x, 0.0]]);
+            let turned = [t[2], t[3], t[0], t[1]];
+            assert!(
+                [t, turned]
+                    .iter()
+                    .all(|&t| radius_edge_ratio(t) >= 6f64.sqrt() / 4.0)
+            );
+        }
     }
 
     #[test]

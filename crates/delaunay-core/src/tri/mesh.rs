@@ -221,7 +221,9 @@ impl TriMesh {
             return;
         }
         for (old, new) in last.half_edges().into_iter().zip(f.half_edges()) {
-            self.set_twin(self.twin(new), new);
+            let twin = self.twin(new);
+            let moved = f.half_edge(twin.corner());
+            self.glue(new, if twin.face() == last { moved } else { twin });
             let slot = self.origin(new).slot();
             if self.outgoing.get(slot) == Some(&old) {
                 self.outgoing[slot] = new;
@@ -244,6 +246,25 @@ impl TriMesh {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The last face, glued to itself or to nothing, once looked for its twins in the slot it had left.
+    #[test]
+    fn a_face_that_is_its_own_neighbor_moves_with_its_twins() {
+        let corners = [0, 1, 2].map(VertexId::new);
+        let mut mesh = TriMesh::default();
+        let first = mesh.push_face(corners);
+        let last = mesh.push_face(corners);
+        mesh.glue(last.half_edge(0), last.half_edge(1));
+        mesh.swap_remove_face(first);
+        let twins = first.half_edges().map(|h| mesh.twin(h).corner());
+        assert_eq!((mesh.face_count(), twins), (1, [1, 0, 2]));
+        assert!(
+            first
+                .half_edges()
+                .iter()
+                .all(|&h| mesh.twin(h).face() == first)
+        );
+    }
 
     #[test]
     fn a_face_record_takes_24_bytes() {

@@ -22,7 +22,7 @@ impl Delaunay2 {
     /// Its id goes to the next vertex inserted; ids vacated later are taken first. The faces that fill
     /// the hole take ids of the star, and the last two faces may move into the two ids left over. Input
     /// points that were duplicates of `v` are forgotten with it. Takes d log d time for a vertex of
-    /// degree d (and a pass over the duplicates, if there are any).
+    /// degree d, and log n for each of its duplicates.
     ///
     /// # Errors
     /// [`RemoveError`] when `v` is no vertex, or the rest would lie on one line; nothing has changed
