@@ -125,39 +125,13 @@ impl ConvexPolygon {
     /// A polygon whose corners are known to be those of a convex one, up to rounding.
     pub(super) fn from_rounded(mut corners: Vec<DVec2>) -> Self {
         corners.dedup();
+        if corners.len() > 1 && corners.first() == corners.last() {
+            corners.pop();
+        }
+        if corners.len() < 3 {
+            corners.clear();
+        }
         Self { corners }
-    }
-
-    /// Moves every corner by `offset`.
-    pub(super) fn translate(&mut self, offset: DVec2) {
-        for corner in &mut self.corners {
-            *corner += offset;
-        }
-    }
-
-    /// Keeps what lies in the half-plane `x · normal <= limit`.
-    ///
-    /// `spare` is a buffer for the new corners, its contents do not matter.
-    pub(super) fn cut(&mut self, normal: DVec2, limit: f64, spare: &mut Vec<DVec2>) {
-        let beyond = |corner: DVec2| corner.dot(normal) - limit;
-        if self.corners.iter().all(|&corner| beyond(corner) <= 0.0) {
-            return;
-        }
-        spare.clear();
-        let ends = self.corners.iter().skip(1).chain(self.corners.first());
-        for (&start, &end) in self.corners.iter().zip(ends) {
-            let (from, to) = (beyond(start), beyond(end));
-            if from <= 0.0 {
-                spare.push(start);
-            }
-            if (from < 0.0 && to > 0.0) || (from > 0.0 && to < 0.0) {
-                spare.push(start.lerp(end, from / (from - to)));
-            }
-        }
-        std::mem::swap(&mut self.corners, spare);
-        if self.corners.len() < 3 {
-            self.corners.clear();
-        }
     }
 }
 
@@ -177,13 +151,11 @@ mod tests {
     }
 
     #[test]
-    fn a_cut_keeps_the_near_side() {
-        let mut square = ConvexPolygon::rectangle(DVec2::ZERO, DVec2::ONE).unwrap();
-        square.cut(DVec2::ONE, 1.0, &mut Vec::new());
-        assert_eq!(square.area(), 0.5);
-        square.cut(DVec2::ONE, -1.0, &mut Vec::new());
-        assert!(square.is_empty());
-        assert_eq!((square.area(), square.centroid()), (0.0, None));
+    fn corners_that_coincide_bound_nothing() {
+        let [a, b] = [DVec2::ZERO, DVec2::ONE];
+        let nothing = ConvexPolygon::from_rounded(vec![a, b, b, a]);
+        assert_eq!((nothing.area(), nothing.centroid()), (0.0, None));
+        assert!(nothing.is_empty());
     }
 
     #[test]

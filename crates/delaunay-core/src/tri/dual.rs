@@ -2,18 +2,14 @@
 //!
 //! Cells are cut out of a window by the bisectors between a vertex and its Delaunay neighbours. No
 //! Voronoi vertex is needed for that, so triangles with huge circumcircles, common along the hull, do
-//! no harm: their centers lie outside the window and are never computed. Only the cell of a vertex with
-//! very many neighbours is first tried as the ring of its Voronoi vertices, because cutting takes
-//! quadratic time.
+//! no harm: their centers lie outside the window and are never computed.
 
+use super::carve::Carving;
 use super::convex::ConvexPolygon;
 use super::delaunay::Delaunay2;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::measure::triangle::circumcenter;
 use glam::DVec2;
-
-/// Neighbours from which on cutting a cell is worth avoiding.
-const MANY: usize = 64;
 
 /// The Voronoi diagram of the vertices, see [`Delaunay2::voronoi`].
 #[derive(Clone, Copy, Debug)]
@@ -91,44 +87,34 @@ impl Voronoi<'_> {
     /// The cell of `v`: the part of `window` that is nearer to `v` than to any other vertex.
     ///
     /// Empty when `v` is not a vertex or its cell lies outside the window. The cells of all vertices
-    /// tile the window up to rounding. Takes time proportional to the degree of `v` times the number of
-    /// corners; linear in the degree for a cell that lies inside the window and has very many corners.
+    /// tile the window up to rounding. Takes time linear in the degree of `v` and the corners of the
+    /// window.
     #[must_use]
     pub fn cell(&self, v: VertexId, window: &ConvexPolygon) -> ConvexPolygon {
         if !self.delaunay.contains_vertex(v) {
             return ConvexPolygon::default();
         }
-        let crowded = self.delaunay.mesh().around(v).nth(MANY).is_some();
-        let inner = if crowded {
-            self.inner_cell(v, window)
-        } else {
-            None
-        };
-        inner.unwrap_or_else(|| self.cut_cell(v, window))
-    }
-
-    /// The ring of the Voronoi vertices round `v`, if all of them are in the window.
-    fn inner_cell(&self, v: VertexId, window: &ConvexPolygon) -> Option<ConvexPolygon> {
-        let mesh = self.delaunay.mesh();
-        let center = |f| (!mesh.is_ghost_face(f)).then(|| self.vertex(f));
-        let inside = |f| center(f).filter(|&center| window.contains(center));
-        let ring: Option<Vec<DVec2>> = mesh.star(v).map(inside).collect();
-        ring.map(ConvexPolygon::from_rounded)
-    }
-
-    /// What the bisectors between `v` and its neighbours leave of the window.
-    fn cut_cell(&self, v: VertexId, window: &ConvexPolygon) -> ConvexPolygon {
-        let center = self.delaunay.point(v);
-        let mut cell = window.clone();
-        let mut spare = Vec::with_capacity(window.corners().len() + 8);
         // Relative to the center, where the bisectors round least.
-        cell.translate(-center);
-        for neighbor in self.delaunay.mesh().neighbors(v).filter(|u| !u.is_ghost()) {
-            let normal = self.delaunay.point(neighbor) - center;
-            cell.cut(normal, normal.length_squared() / 2.0, &mut spare);
+        let center = self.delaunay.point(v);
+        let mut normals = self
+            .turning_neighbors(v)
+            .map(|u| self.delaunay.point(u) - center)
+            .peekable();
+        let first = normals.peek().copied().unwrap_or(DVec2::X);
+        let mut cell = Carving::new(window, -center, first);
+        for normal in normals {
+            cell.cut(normal, normal.length_squared() / 2.0);
         }
-        cell.translate(center);
-        cell
+        cell.finish(center)
+    }
+
+    /// The real neighbours of `v`, counterclockwise by less than a turn: on the hull from the ghost on,
+    /// because there two of them may be more than half a turn apart.
+    fn turning_neighbors(&self, v: VertexId) -> impl Iterator<Item = VertexId> + '_ {
+        let mesh = self.delaunay.mesh();
+        let ghost = mesh.neighbors(v).position(VertexId::is_ghost);
+        let after = mesh.neighbors(v).skip(ghost.map_or(0, |ghost| ghost + 1));
+        after.chain(mesh.neighbors(v).take(ghost.unwrap_or(0)))
     }
 
     fn segment(&self, h: HalfEdgeId) -> VoronoiEdge {
@@ -168,23 +154,5 @@ mod tests {
             center.distance(exact) < 1e-14 * (0.5 / h),
             "{center} {exact}"
         );
-    }
-
-    #[test]
-    fn the_ring_of_voronoi_vertices_is_the_cell_that_the_bisectors_cut() {
-        let spokes = 3 * MANY;
-        let mut points: Vec<DVec2> = (0..spokes)
-            .map(|i| DVec2::from_angle(i as f64 / spokes as f64 * std::f64::consts::TAU))
-            .collect();
-        points.push(DVec2::new(0.1, -0.2));
-        let delaunay = Delaunay2::build(&points).unwrap();
-        let window = ConvexPolygon::rectangle(DVec2::splat(-2.0), DVec2::splat(2.0)).unwrap();
-        let hub = VertexId::new(spokes);
-        let ring = delaunay.voronoi().inner_cell(hub, &window).unwrap();
-        let cut = delaunay.voronoi().cut_cell(hub, &window);
-        assert!((ring.area() - cut.area()).abs() < 1e-13);
-        assert!(ring.centroid().unwrap().distance(cut.centroid().unwrap()) < 1e-13);
-        let small = ConvexPolygon::rectangle(DVec2::splat(-0.1), DVec2::splat(0.1)).unwrap();
-        assert_eq!(delaunay.voronoi().inner_cell(hub, &small), None);
     }
 }

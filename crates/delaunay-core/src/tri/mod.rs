@@ -8,12 +8,13 @@
 //! | all points | `build.rs` |
 //! | one point less | `remove.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
-//! | the Voronoi diagram | `dual.rs`, `convex.rs` |
+//! | the Voronoi diagram | `dual.rs`, `convex.rs`, `carve.rs` |
 //! | invariants | `check.rs` |
 
 mod around;
 mod build;
 mod canonical;
+mod carve;
 mod cavity;
 mod check;
 mod convex;
