@@ -4,6 +4,7 @@
 
 pub mod golden;
 pub mod medial_blocking;
+pub mod sink_refine;
 pub mod table;
 pub mod tolerance;
 
@@ -34,5 +35,5 @@ pub struct Figure {
 
 /// All figures, in the order of the papers.
 pub fn all() -> impl Iterator<Item = &'static Figure> {
-    medial_blocking::FIGURES.iter()
+    medial_blocking::FIGURES.iter().chain(sink_refine::FIGURES)
 }
