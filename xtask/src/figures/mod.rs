@@ -2,6 +2,7 @@
 //!
 //! `golden` holds a figure against what `docs/figures` has of it; tests, `cargo xtask figures` and `--check` all go through it.
 
+pub mod bubble_mesh;
 pub mod golden;
 pub mod medial_blocking;
 pub mod sink_refine;
@@ -35,5 +36,8 @@ pub struct Figure {
 
 /// All figures, in the order of the papers.
 pub fn all() -> impl Iterator<Item = &'static Figure> {
-    medial_blocking::FIGURES.iter().chain(sink_refine::FIGURES)
+    medial_blocking::FIGURES
+        .iter()
+        .chain(sink_refine::FIGURES)
+        .chain(bubble_mesh::FIGURES)
 }
