@@ -8,6 +8,7 @@ use delaunay_core::{Delaunay2, FaceId};
 use glam::DVec2;
 use mesh_io::svg::{Color, Panel, Picture, Sample, Stroke, Style, Window};
 
+use super::shades::Shades;
 use super::table::Table;
 use super::{Figure, Render, Rendered};
 
@@ -24,15 +25,7 @@ const EDGE: Stroke = Stroke::thin(Color::INK);
 const NODE_BUBBLE: Stroke = Stroke::medium(Color::BLUE);
 const ELEMENT_BUBBLE: Stroke = Stroke::medium(Color::RED);
 
-/// Colours of bubble density 0, 1, and 2 and more.
-const DENSITY: [Color; 3] = [
-    Color([0xf0, 0xc2, 0xb8]),
-    Color::WHITE,
-    Color([0xa9, 0xc8, 0xe8]),
-];
-
-/// Shades between neighbouring colours of `DENSITY`.
-const SHADES: usize = 8;
+const DENSITY: Shades = Shades::LACK_IS_RED;
 
 fn boundary_and_mesh() -> Render {
     let domain = Domain::convex(&boundary())?;
@@ -51,9 +44,9 @@ fn boundary_and_mesh() -> Render {
         .panel(right)
         .key("node bubble", Sample::Line(NODE_BUBBLE))
         .key("element bubble", Sample::Line(ELEMENT_BUBBLE))
-        .key("bubble density 0", area(DENSITY[0]))
-        .key("1", area(DENSITY[1]))
-        .key("2 and more", area(DENSITY[2]));
+        .key("bubble density 0", area(DENSITY.none))
+        .key("1", area(Color::WHITE))
+        .key("2 and more", area(DENSITY.twice));
     Ok(Rendered {
         svg: picture.to_svg()?,
         summary: summary(&start, &end, &mesh),
@@ -115,20 +108,9 @@ impl<'a> State<'a> {
     fn panel(&self) -> Panel {
         let window = Window::around(self.delaunay.points().iter().copied());
         let mut panel = Panel::new(window.widened(0.06)).width(480.0);
-        for step in 0..=2 * SHADES {
-            let of_step = self
-                .delaunay
-                .faces()
-                .filter(|&f| shade(self.density(f)) == step)
-                .map(|f| self.delaunay.triangle(f));
-            let style = Style::line(EDGE).filled(shade_color(step));
-            panel
-                .layer(
-                    &format!("triangles of density {}", step as f64 / SHADES as f64),
-                    style,
-                )
-                .polygons(of_step);
-        }
+        let triangle = |f| (self.delaunay.triangle(f), self.density(f));
+        let triangles: Vec<_> = self.delaunay.faces().map(triangle).collect();
+        DENSITY.draw(&mut panel, "triangles of density", EDGE, &triangles);
         panel
     }
 
@@ -144,21 +126,6 @@ impl<'a> State<'a> {
         for bubble in self.bubbles {
             nodes.circle(bubble.center, bubble.radius);
         }
-    }
-}
-
-/// The step of a bubble density, rounded; densities above 2 are at the top.
-fn shade(density: f64) -> usize {
-    (density * SHADES as f64).round().min(2.0 * SHADES as f64) as usize
-}
-
-fn shade_color(step: usize) -> Color {
-    let [none, one, two] = DENSITY;
-    let t = step as f64 / SHADES as f64;
-    if t < 1.0 {
-        none.mixed(one, t)
-    } else {
-        one.mixed(two, t - 1.0)
     }
 }
 

@@ -3,8 +3,10 @@
 //! `golden` holds a figure against what `docs/figures` has of it; tests, `cargo xtask figures` and `--check` all go through it.
 
 pub mod bubble_mesh;
+pub mod cvt_tet;
 pub mod golden;
 pub mod medial_blocking;
+mod shades;
 pub mod sink_refine;
 pub mod table;
 pub mod tolerance;
@@ -40,4 +42,5 @@ pub fn all() -> impl Iterator<Item = &'static Figure> {
         .iter()
         .chain(sink_refine::FIGURES)
         .chain(bubble_mesh::FIGURES)
+        .chain(cvt_tet::FIGURES)
 }
