@@ -1,5 +1,7 @@
 //! Du & Wang, *Tetrahedral mesh generation and optimization based on centroidal Voronoi tessellations*: figure 1.
 
+use std::error::Error;
+
 use cvt_tet::{GeneratorError, Generators, Moments, Outcome, Params, lloyd, lloyd_with};
 use delaunay_core::ConvexPolygon;
 use delaunay_core::measure::{Statistics, triangle};
@@ -42,21 +44,21 @@ fn density(p: DVec2) -> f64 {
 fn square() -> Render {
     let square = ConvexPolygon::rectangle(DVec2::ZERO, DVec2::ONE)?;
     let start = Generators::new(square, &points::uniform(POINTS, 4))?;
-    let uniform = lloyd(start.clone(), &PARAMS, &mut silent);
-    let graded = lloyd_with(start.clone(), density, &PARAMS, &mut silent)?;
+    let uniform = Tessellation::uniform(&start)?;
+    let graded = Tessellation::graded(&start)?;
 
     let area = |color| Sample::Area(Style::line(EDGE).filled(color));
     let picture = Picture::new("Centroidal Voronoi tessellations of a square")
         .panel(panel(&start, uniform_cost).caption("random points"))
-        .panel(panel(&uniform.generators, uniform_cost).caption("uniform density"))
-        .panel(panel(&graded.generators, graded_cost).caption("density large near a curve"))
+        .panel(panel(&uniform.free.generators, uniform_cost).caption("uniform density"))
+        .panel(panel(&graded.free.generators, graded_cost).caption("density large near a curve"))
         .key("cell that costs nothing", area(SHARE.none))
         .key("the mean", area(Color::WHITE))
         .key("twice the mean and more", area(SHARE.twice))
         .key("generator", Sample::Dot(Color::INK));
     Ok(Rendered {
         svg: picture.to_svg()?,
-        summary: summary(&uniform, &graded)?,
+        summary: summary(&uniform, &graded),
     })
 }
 
@@ -68,6 +70,38 @@ fn uniform_cost(cell: &ConvexPolygon, generator: DVec2) -> f64 {
 /// What a cell costs for the given density, zero where that is no number.
 fn graded_cost(cell: &ConvexPolygon, generator: DVec2) -> f64 {
     Moments::weighted(cell, generator, density).map_or(0.0, |moments| moments.second)
+}
+
+/// What Lloyd's iteration makes of points.
+struct Tessellation {
+    /// Not bound to the boundary.
+    free: Outcome,
+    /// The same with the points of cells at the boundary moved onto it, and iterated again: the mesh of the paper's figure.
+    bound: Outcome,
+    cost: Cost,
+}
+
+impl Tessellation {
+    fn uniform(start: &Generators) -> Result<Self, GeneratorError> {
+        let free = lloyd(start.clone(), &PARAMS, &mut silent);
+        let bound = lloyd(free.generators.attached()?, &PARAMS, &mut silent);
+        Ok(Self {
+            free,
+            bound,
+            cost: uniform_cost,
+        })
+    }
+
+    fn graded(start: &Generators) -> Result<Self, Box<dyn Error>> {
+        let free = lloyd_with(start.clone(), density, &PARAMS, &mut silent)?;
+        let attached = free.generators.attached()?;
+        let bound = lloyd_with(attached, density, &PARAMS, &mut silent)?;
+        Ok(Self {
+            free,
+            bound,
+            cost: graded_cost,
+        })
+    }
 }
 
 /// What a cell of a generator costs.
@@ -98,51 +132,49 @@ fn shares(generators: &Generators, cost: Cost) -> Vec<f64> {
     costs.iter().map(|cost| cost / mean).collect()
 }
 
-fn summary(uniform: &Outcome, graded: &Outcome) -> Result<String, GeneratorError> {
-    let [uniform, graded] = [(uniform, uniform_cost as Cost), (graded, graded_cost)];
+fn summary(uniform: &Tessellation, graded: &Tessellation) -> String {
     let table = Table::new(
         "Centroidal Voronoi tessellations of a square",
         ["", "uniform density", "density large near a curve"],
     );
-    let rows = numbers(uniform.0, uniform.1)?
-        .into_iter()
-        .zip(numbers(graded.0, graded.1)?);
-    let table = rows.fold(table, |table, ((name, uniform), (_, graded))| {
-        table.row([name.to_owned(), uniform, graded])
-    });
     let hexagons = 5.0 * 3f64.sqrt() / 54.0 / POINTS as f64;
-    Ok(table
+    numbers(uniform)
+        .into_iter()
+        .zip(numbers(graded))
+        .fold(table, |table, ((name, uniform), (_, graded))| {
+            table.row([name.to_owned(), uniform, graded])
+        })
         .row([
             "cost of as many regular hexagons",
             &format!("{hexagons:.3e}"),
             "-",
         ])
-        .to_string())
+        .to_string()
 }
 
-fn numbers(outcome: &Outcome, cost: Cost) -> Result<Vec<(&'static str, String)>, GeneratorError> {
-    let mut numbers = vec![("generators", outcome.generators.points().len().to_string())];
-    if let [before, .., after] = outcome.costs[..] {
+fn numbers(tessellation: &Tessellation) -> Vec<(&'static str, String)> {
+    let Tessellation { free, bound, cost } = tessellation;
+    let mut numbers = vec![("generators", free.generators.points().len().to_string())];
+    if let [before, .., after] = free.costs[..] {
         numbers.push(("cost before", format!("{before:.3e}")));
         numbers.push(("cost after", format!("{after:.3e}")));
     }
-    numbers.push(("iterations", (outcome.costs.len() - 1).to_string()));
-    numbers.push(("stopped because", format!("{:?}", outcome.stop)));
-    if let Some(shares) = Statistics::of(shares(&outcome.generators, cost).into_iter().enumerate())
-    {
+    numbers.push(("iterations", free.costs.len().saturating_sub(1).to_string()));
+    numbers.push(("stopped because", format!("{:?}", free.stop)));
+    let shares = shares(&free.generators, *cost).into_iter().enumerate();
+    if let Some(shares) = Statistics::of(shares) {
         numbers.push(("cheapest cell, of the mean", format!("{:.2}", shares.min())));
         numbers.push(("dearest cell, of the mean", format!("{:.2}", shares.max())));
     }
-    // The mesh of the paper's figure has points on the boundary.
-    let mesh = outcome.generators.attached()?;
+    let mesh = &bound.generators;
     let ratio = |f| (f, triangle::radius_ratio(mesh.delaunay().triangle(f)));
     if let Some(ratios) = Statistics::of(mesh.triangles().map(ratio)) {
         numbers.push((
-            "triangles, cells at the boundary put onto it",
+            "with points on the boundary: triangles",
             ratios.count().to_string(),
         ));
-        numbers.push(("mean radius ratio", format!("{:.3}", ratios.mean())));
-        numbers.push(("least radius ratio", format!("{:.3}", ratios.min())));
+        numbers.push(("their mean radius ratio", format!("{:.3}", ratios.mean())));
+        numbers.push(("their least radius ratio", format!("{:.3}", ratios.min())));
     }
-    Ok(numbers)
+    numbers
 }
