@@ -53,7 +53,7 @@ fn boundary_and_mesh() -> Render {
     })
 }
 
-/// Nodes on the outline of an egg, at its tip four times as close as at its blunt end.
+/// Nodes on the outline of an egg, at its tip seven times as close as where they are sparsest.
 fn boundary() -> Vec<DVec2> {
     const NODES: u32 = 38;
     (0..NODES)
