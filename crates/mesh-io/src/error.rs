@@ -85,6 +85,12 @@ pub enum ReadProblem {
         /// The number found.
         found: u64,
     },
+    /// The file asks for more memory than one of its size may have.
+    #[error("the arrays unpack to more than {limit} bytes, the most for a file of this size")]
+    TooLarge {
+        /// Bytes that all arrays together may have.
+        limit: u64,
+    },
     /// The file is sound but uses a part of the format that is not read.
     #[error("{0} is not supported")]
     Unsupported(String),

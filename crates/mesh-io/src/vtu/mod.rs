@@ -6,7 +6,11 @@
 //! Own code over `quick-xml`, `base64` and `flate2` rather than `vtkio`: only arrays cut out of the bytes at hand can promise that no
 //! size claimed in a file is believed.
 
-mod array;
+mod appended;
+mod base64_runs;
+mod budget;
+mod number;
+mod packed;
 mod piece;
 mod read;
 mod write;

@@ -1,6 +1,6 @@
 //! A piece of a VTU: named arrays, and the points and cells they make.
 
-use super::array::Numbers;
+use super::number::Numbers;
 use super::{MARKER, turn_wedge, vtk_type};
 use crate::cell::{Cell, CellKind};
 use crate::error::ReadProblem;

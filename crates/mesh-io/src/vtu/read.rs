@@ -1,9 +1,15 @@
 //! Reads a VTU: the XML into arrays per piece, the arrays into one mesh.
 
+use std::borrow::Cow;
+
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, escape};
 
-use super::array::{Layout, Number, Numbers, appended_run, from_base64, from_bytes, from_text};
+use super::appended::{Appended, split_appended};
+use super::base64_runs;
+use super::budget::Budget;
+use super::number::{Number, Numbers, from_bytes, from_text};
+use super::packed::{Layout, unpack};
 use super::piece::{Array, Piece, Section, unexpected};
 use crate::error::{ReadError, ReadProblem};
 use crate::lines::quoted;
@@ -11,10 +17,11 @@ use crate::mesh::Mesh;
 
 /// The mesh of a VTU; several pieces are joined one after the other.
 ///
-/// Data of any number type become `f64`. O(file), or O(what zlib unpacks from it) if compressed.
+/// Data of any number type become `f64`. Time and memory are O(file): what zlib unpacks, and what several arrays share, is bounded by
+/// 64 bytes for every byte of the file and 64 MiB besides.
 ///
 /// # Errors
-/// What is not XML, not an unstructured grid, truncated, inconsistent, or holds cells other than [`CellKind`](crate::CellKind); with the line of the
+/// What is not XML, not an unstructured grid, truncated, inconsistent, beyond that bound, or holds cells other than [`CellKind`](crate::CellKind); with the line of the
 /// array or of the piece.
 pub fn parse(bytes: &[u8]) -> Result<Mesh, ReadError> {
     let (xml, appended) = split_appended(bytes);
@@ -22,9 +29,10 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, ReadError> {
         .map_err(|error| ReadError::at_byte(error.valid_up_to(), ReadProblem::NotText))?;
     let pieces = Document {
         xml,
-        appended,
+        appended: Appended::find(appended),
         layout: None,
         pieces: Vec::new(),
+        budget: Budget::of_file(bytes.len()),
         line: 1,
         counted: 0,
     }
@@ -40,26 +48,12 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, ReadError> {
     Ok(mesh)
 }
 
-/// Everything up to `<AppendedData`, and what follows it.
-fn split_appended(bytes: &[u8]) -> (&[u8], &[u8]) {
-    const TAG: &[u8] = b"<AppendedData";
-    let mut start = 0;
-    // Few bytes of a large file open a tag, so most are looked at once.
-    while let Some(step) = bytes[start..].iter().position(|&byte| byte == b'<') {
-        start += step;
-        if bytes[start..].starts_with(TAG) {
-            return bytes.split_at(start);
-        }
-        start += 1;
-    }
-    (bytes, &[])
-}
-
 /// What is known while the XML is walked.
 struct Document<'a> {
     xml: &'a str,
-    appended: &'a [u8],
+    appended: Option<Appended<'a>>,
     layout: Option<Layout>,
+    budget: Budget,
     pieces: Vec<Piece>,
     /// The line at `counted` bytes: counting on from there keeps the whole walk linear.
     line: usize,
@@ -140,7 +134,7 @@ impl<'a> Document<'a> {
         empty: bool,
     ) -> Result<(), ReadProblem> {
         let text = if empty {
-            String::new()
+            Cow::Borrowed("")
         } else {
             text_inside(reader)?
         };
@@ -156,9 +150,14 @@ impl<'a> Document<'a> {
         };
         let numbers = match attribute(tag, "format")?.as_deref() {
             Some("ascii") => from_text(number, &text)?,
-            Some("binary") => from_base64(number, layout, text.as_bytes())?,
+            Some("binary") => {
+                let packed = base64_runs::decode(text.as_bytes())?;
+                numbers(number, layout, &packed, &mut self.budget)?
+            }
             Some("appended") => {
-                from_appended(number, layout, self.appended, count(tag, "offset")?)?
+                let offset = count(tag, "offset")?;
+                let packed = Appended::at(self.appended, layout, offset, &mut self.budget)?;
+                numbers(number, layout, &packed, &mut self.budget)?
             }
             other => {
                 return Err(unexpected(
@@ -182,16 +181,31 @@ impl<'a> Document<'a> {
     }
 }
 
+/// The numbers packed in some bytes.
+fn numbers(
+    number: Number,
+    layout: Layout,
+    packed: &[u8],
+    budget: &mut Budget,
+) -> Result<Numbers, ReadProblem> {
+    let bytes = unpack(layout, packed, budget)?;
+    from_bytes(number, layout.big_endian, &bytes, budget)
+}
+
 /// The text up to the end tag of the element just opened; elements inside it (information keys) are skipped.
-fn text_inside(reader: &mut Reader<&[u8]>) -> Result<String, ReadProblem> {
-    let mut text = String::new();
+fn text_inside<'a>(reader: &mut Reader<&'a [u8]>) -> Result<Cow<'a, str>, ReadProblem> {
+    let mut text = Cow::Borrowed("");
     let mut depth = 0_usize;
     loop {
         match reader
             .read_event()
             .map_err(|error| ReadProblem::Syntax(error.to_string()))?
         {
-            Event::Text(part) if depth == 0 => text.push_str(&part),
+            Event::Text(part) if depth == 0 => text += part.into_inner(),
+            Event::CData(part) if depth == 0 => text += part.into_inner(),
+            Event::GeneralRef(name) if depth == 0 => {
+                return Err(unexpected("a number", &format!("&{};", &*name)));
+            }
             Event::Start(_) => depth += 1,
             Event::End(_) if depth == 0 => return Ok(text),
             Event::End(_) => depth -= 1,
@@ -243,39 +257,4 @@ fn layout(tag: &BytesStart) -> Result<Layout, ReadProblem> {
         wide_header: attribute(tag, "header_type")?.as_deref() == Some("UInt64"),
         compressed,
     })
-}
-
-/// The array at `offset` behind the underscore of the appended data.
-fn from_appended(
-    number: Number,
-    layout: Layout,
-    appended: &[u8],
-    offset: usize,
-) -> Result<Numbers, ReadProblem> {
-    let missing = || ReadProblem::Truncated {
-        expected: "appended data".into(),
-    };
-    let tag_end = appended
-        .iter()
-        .position(|&byte| byte == b'>')
-        .ok_or_else(missing)?;
-    let (tag, content) = appended.split_at(tag_end);
-    let underscore = content
-        .iter()
-        .position(|&byte| byte == b'_')
-        .ok_or_else(missing)?;
-    let data = content
-        .get(underscore + 1..)
-        .and_then(|data| data.get(offset..))
-        .ok_or_else(missing)?;
-    if tag.windows(3).any(|window| window == b"raw") {
-        from_bytes(number, layout, data)
-    } else {
-        from_base64_prefix(number, layout, data)
-    }
-}
-
-/// An appended array in base64, which ends where its header says rather than where the text does.
-fn from_base64_prefix(number: Number, layout: Layout, data: &[u8]) -> Result<Numbers, ReadProblem> {
-    from_base64(number, layout, appended_run(layout, data)?)
 }
