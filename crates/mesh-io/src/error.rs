@@ -91,6 +91,12 @@ pub enum ReadProblem {
         /// Bytes that all arrays together may have.
         limit: u64,
     },
+    /// A device or a pipe does not end.
+    #[error("a device or pipe that gives more than {limit} bytes")]
+    TooLong {
+        /// Bytes that are read at most from what is not a file.
+        limit: u64,
+    },
     /// The file is sound but uses a part of the format that is not read.
     #[error("{0} is not supported")]
     Unsupported(String),

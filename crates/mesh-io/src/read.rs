@@ -1,5 +1,7 @@
 //! Reading a file in the format that its path names.
 
+use std::fs::File;
+use std::io::Read as _;
 use std::path::Path;
 
 use crate::blocks::StructuredBlocks;
@@ -10,6 +12,9 @@ use crate::mesh::Mesh;
 use crate::numbers::Encoding;
 use crate::planar_graph::PlanarGraph;
 use crate::{circles_toml, connectivity_map, msh, off, plot3d, triangle, vtu, xy};
+
+/// Bytes read at most from a device or a pipe, which may never end.
+const LONGEST_STREAM: u64 = 1 << 30;
 
 /// The mesh in a file of any format that holds one.
 ///
@@ -62,7 +67,7 @@ pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, ReadError> {
 /// # Errors
 /// A [`ReadError`] that names the file and line. O(file).
 pub fn read_circles(path: &Path) -> Result<CirclesDomain, ReadError> {
-    let parsed = || circles_toml::parse(&std::fs::read(path)?);
+    let parsed = || circles_toml::parse(&bytes_of(path, LONGEST_STREAM)?);
     parsed().map_err(|error: ReadError| error.in_file(path))
 }
 
@@ -88,7 +93,7 @@ fn blocks_of(path: &Path, format: Format, bytes: &[u8]) -> Result<StructuredBloc
     if !map.exists() {
         return Ok(grids);
     }
-    let connected = || connectivity_map::parse(&std::fs::read(&map)?, grids);
+    let connected = || connectivity_map::parse(&bytes_of(&map, LONGEST_STREAM)?, grids);
     connected().map_err(|error: ReadError| error.in_file(&map))
 }
 
@@ -114,8 +119,66 @@ fn named<T>(
     let parsed = || {
         parse(
             Format::from_path(path).ok_or(ReadProblem::UnknownFormat)?,
-            &std::fs::read(path)?,
+            &bytes_of(path, LONGEST_STREAM)?,
         )
     };
     parsed().map_err(|error: ReadError| error.in_file(path))
+}
+
+/// All bytes of a file, or of a stream of at most `longest` bytes.
+fn bytes_of(path: &Path, longest: u64) -> Result<Vec<u8>, ReadError> {
+    let mut file = File::open(path)?;
+    let mut bytes = Vec::new();
+    if file.metadata()?.is_file() {
+        file.read_to_end(&mut bytes)?;
+        return Ok(bytes);
+    }
+    file.take(longest.saturating_add(1))
+        .read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > longest {
+        return Err(ReadProblem::TooLong { limit: longest }.into());
+    }
+    Ok(bytes)
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stream_that_does_not_end_is_given_up() {
+        let read = |path: &str| bytes_of(Path::new(path), 1000);
+        insta::assert_snapshot!(read("/dev/zero").unwrap_err(), @"a device or pipe that gives more than 1000 bytes");
+        assert!(read("/dev/null").unwrap().is_empty());
+    }
+
+    #[test]
+    fn a_folder_is_an_error_of_one_line_that_names_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("folder.vtu");
+        std::fs::create_dir(&path).unwrap();
+        let message = read_mesh(&path).unwrap_err().to_string();
+        assert!(
+            message.starts_with(&path.display().to_string()),
+            "{message}"
+        );
+        assert_eq!(message.lines().count(), 1);
+    }
+
+    #[test]
+    fn an_empty_file_is_an_error_or_no_points_in_every_format() {
+        let folder = tempfile::tempdir().unwrap();
+        for extension in Format::EXTENSIONS.split(' ') {
+            let path = folder.path().join(format!("empty{extension}"));
+            std::fs::write(&path, "").unwrap();
+            match read_mesh(&path) {
+                Ok(mesh) => assert!(mesh.points.is_empty() && extension.starts_with(".xy")),
+                // The points of an `.ele` are looked for first.
+                Err(error) => {
+                    let named = error.path.unwrap();
+                    assert!(named == path || extension == ".ele" && named.ends_with("empty.node"));
+                }
+            }
+        }
+    }
 }

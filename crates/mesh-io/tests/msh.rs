@@ -215,3 +215,21 @@ fn what_msh_cannot_hold_is_refused() {
     mesh.points[2][1] = f64::INFINITY;
     insta::assert_snapshot!([name, components, refused(&mesh, "")].join("\n"));
 }
+
+/// A reader that indexes the elements anew for every section would need minutes here.
+#[test]
+fn many_sections_of_node_data_take_no_more_than_linear_time() {
+    let mut file =
+        String::from("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n");
+    let count = 50_000;
+    file += &format!("$Elements\n{count}\n");
+    for tag in (1..=count).rev() {
+        file += &format!("{tag} 15 0 1\n");
+    }
+    file += "$EndElements\n";
+    file += &"$NodeData\n1\n\"f\"\n0\n3\n0 1 1\n1 2.5\n$EndNodeData\n".repeat(20_000);
+    let start = std::time::Instant::now();
+    let mesh = parse(file.as_bytes()).unwrap().mesh;
+    assert!(start.elapsed().as_secs() < 10);
+    assert_eq!((mesh.cells.len(), mesh.point_data.len()), (count, 20_000));
+}

@@ -34,17 +34,21 @@ pub(super) fn read_data(
         ));
     }
     let mut values = vec![f64::NAN; rows * head.components];
-    let elements = TagIndex::of(&parts.cell_tags);
-    let index = match (element, &parts.nodes, &elements) {
-        ("node", Some(nodes), _) => nodes,
-        ("element", _, Ok(elements)) => elements,
+    let elements;
+    let index = match (element, &parts.nodes) {
+        ("node", nodes) => nodes.as_ref(),
         _ => {
-            let problem = ReadProblem::Expected {
-                expected: format!("{element}s before ${section}, each with a tag of its own"),
-                found: format!("${section}"),
-            };
-            return Err(file.problem(start, problem));
+            // Only here, where there are rows to pay for it: a file may hold very many sections of node data.
+            elements = TagIndex::of(&parts.cell_tags).ok();
+            elements.as_ref()
         }
+    };
+    let Some(index) = index else {
+        let problem = ReadProblem::Expected {
+            expected: format!("{element}s before ${section}, each with a tag of its own"),
+            found: format!("${section}"),
+        };
+        return Err(file.problem(start, problem));
     };
     for row in 0..head.rows {
         let position = read_tag(file, index, element, row)?;
