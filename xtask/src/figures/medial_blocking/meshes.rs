@@ -104,6 +104,9 @@ fn picture(mesh: &BlockMesh, title: &str) -> Picture {
     )
 }
 
+/// One of the four angles of a summary.
+type Angle = fn(&AngleSummary) -> f64;
+
 /// The figures of one mesh.
 struct Column {
     leaning: usize,
@@ -118,7 +121,7 @@ impl Column {
         }
     }
 
-    fn degrees(&self, of: fn(&AngleSummary) -> f64) -> String {
+    fn degrees(&self, of: Angle) -> String {
         let degrees = |summary| format!("{:.1}°", of(summary));
         self.angles.as_ref().map_or_else(|| "-".to_owned(), degrees)
     }
@@ -144,7 +147,7 @@ fn summary(printed: &Printed, blocking: &Blocking, columns: &[Column]) -> String
             "-".to_owned(),
             &|column| column.leaning.to_string(),
         ));
-    let angles: [(&str, fn(&AngleSummary) -> f64); 4] = [
+    let angles: [(&str, Angle); 4] = [
         ("smallest angle", |summary| summary.min),
         ("largest angle", |summary| summary.max),
         ("mean smallest angle", |summary| summary.mean_smallest),
