@@ -31,7 +31,8 @@
 //! The crate knows no geometry: nothing is oriented, repaired or judged here but form. What it promises instead:
 //!
 //! - a reader answers any bytes with data that pass [`Mesh::check`] (or its like), or with a [`ReadError`] that names line or byte,
-//!   element and value; it allocates for what it has seen, never for what a header claims;
+//!   element and value; it allocates for what it has seen, never for what a header claims, and unpacks no more than a stated
+//!   multiple of the file;
 //! - a writer puts a whole file at its place or leaves what was there ([`write_atomically`]); a format that has no place for a cell
 //!   refuses it, and what else is left out stands in the table;
 //! - what is written and read back has the same bits, but for a `z` of -0.0 in a planar file, which is 0.0.
