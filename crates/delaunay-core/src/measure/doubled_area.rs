@@ -27,7 +27,14 @@ pub(super) fn doubled_area([a, b, c]: [DVec2; 3], unit: f64) -> f64 {
     let (left, left_tail) = product(ab.x, ac.y);
     let (right, right_tail) = product(ab.y, ac.x);
     let tails = ab.perp_dot(ac_tail) + ab_tail.perp_dot(ac);
-    (left - right) + ((left_tail - right_tail) + tails)
+    let correction = (left_tail - right_tail) + tails;
+    // Beside the largest numbers a tail overflows on the way, and there is nothing to correct with.
+    let correction = if correction.is_finite() {
+        correction
+    } else {
+        0.0
+    };
+    (left - right) + correction
 }
 
 /// What `p - q` loses by rounding (Knuth's exact sum, per coordinate).
@@ -71,6 +78,15 @@ mod tests {
         let corners = [[0.0, height], [-1.0, 0.0], [1.0, 0.0]]
             .map(|corner| DVec2::from(corner) + DVec2::new(1e6, -3e6));
         assert_eq!(doubled_area(corners, 1.0), 2.0 * height);
+    }
+
+    #[test]
+    fn the_area_is_a_number_beside_the_largest_numbers() {
+        let [x, y] = [f64::MAX, 8.403_057_791_051_773e307];
+        let corners = [[0.076, 1e-5], [x, 3.8e258], [y, 0.556]].map(DVec2::from);
+        for [a, b, c] in [[0, 1, 2], [1, 2, 0], [2, 0, 1]].map(|order| order.map(|i| corners[i])) {
+            assert!(doubled_area([a, b, c], 2f64.powi(1023)).is_finite());
+        }
     }
 
     #[test]
