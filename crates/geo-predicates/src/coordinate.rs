@@ -141,6 +141,12 @@ fn check_coordinate(index: usize, axis: Axis, value: f64) -> Result<(), Coordina
     }
 }
 
+/// Whether all of these coordinates are accepted.
+pub(crate) fn are_accepted(coordinates: &[f64]) -> bool {
+    let mut coordinates = coordinates.iter();
+    coordinates.all(|&value| accepts(value, MIN_MAGNITUDE, MAX_MAGNITUDE))
+}
+
 #[inline]
 fn accepts(value: f64, least: f64, greatest: f64) -> bool {
     value == 0.0 || (least..=greatest).contains(&value.abs())

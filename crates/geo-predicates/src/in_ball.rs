@@ -1,5 +1,6 @@
 //! Empty circles and empty spheres: which points lie inside the ball through others.
 
+use crate::coordinate::are_accepted;
 use crate::filter::{Filter2, Filter3, Relative2, Relative3};
 use crate::grid::{Grid, cross, dot, minus};
 use crate::orient::{coord, coord3, volume};
@@ -41,6 +42,9 @@ pub fn in_sphere(a: DVec3, b: DVec3, c: DVec3, d: DVec3, e: DVec3) -> Sign {
 fn exact_in_circle(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Sign {
     let points = [a, b, c, d].map(|point| point.to_array());
     let Some([a, b, c, d]) = Grid::of_points(points) else {
+        if !are_accepted(points.as_flattened()) {
+            return Sign::Zero; // Expansions of what is no number grow to full length.
+        }
         record(Predicate::InCircle, Stage::Unbounded);
         return Sign::of(robust::incircle(coord(a), coord(b), coord(c), coord(d)));
     };
@@ -54,6 +58,9 @@ fn exact_in_circle(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Sign {
 fn exact_in_sphere(a: DVec3, b: DVec3, c: DVec3, d: DVec3, e: DVec3) -> Sign {
     let points = [a, b, c, d, e].map(|point| point.to_array());
     let Some([a, b, c, d, e]) = Grid::of_points(points) else {
+        if !are_accepted(points.as_flattened()) {
+            return Sign::Zero; // Expansions of what is no number grow to full length.
+        }
         record(Predicate::InSphere, Stage::Unbounded);
         let [a, b, c, d, e] = [a, b, c, d, e].map(coord3);
         return -Sign::of(robust::insphere(a, b, c, d, e));

@@ -64,8 +64,8 @@
 //!
 //! # Ranges and errors
 //!
-//! Coordinates are finite, and zero or of magnitude 2^-142 to 2^201 ([`coordinate`]). For others no
-//! function panics, but signs may be wrong, so check once. Same input, same sign, on all machines.
+//! Coordinates are finite, and zero or of magnitude 2^-142 to 2^201 ([`coordinate`]). For others every
+//! function answers, but signs may be wrong, so check once. Same input, same sign, on all machines.
 //!
 //! # Features
 //!

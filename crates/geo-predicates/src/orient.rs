@@ -1,5 +1,6 @@
 //! Which way points turn: orientation in the plane and in space.
 
+use crate::coordinate::are_accepted;
 use crate::filter::{Filter2, Filter3};
 use crate::grid::{Grid, cross, minus};
 use crate::sign::Sign;
@@ -38,6 +39,9 @@ pub fn orient3d(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> Sign {
 fn exact_orient2d(a: DVec2, b: DVec2, c: DVec2) -> Sign {
     let points = [a, b, c].map(|point| point.to_array());
     let Some([a, b, c]) = Grid::of_points(points) else {
+        if !are_accepted(points.as_flattened()) {
+            return Sign::Zero; // Expansions of what is no number grow to full length.
+        }
         record(Predicate::Orient2d, Stage::Unbounded);
         return Sign::of(robust::orient2d(coord(a), coord(b), coord(c)));
     };
@@ -50,6 +54,9 @@ fn exact_orient2d(a: DVec2, b: DVec2, c: DVec2) -> Sign {
 fn exact_orient3d(a: DVec3, b: DVec3, c: DVec3, d: DVec3) -> Sign {
     let points = [a, b, c, d].map(|point| point.to_array());
     let Some([a, b, c, d]) = Grid::of_points(points) else {
+        if !are_accepted(points.as_flattened()) {
+            return Sign::Zero; // Expansions of what is no number grow to full length.
+        }
         record(Predicate::Orient3d, Stage::Unbounded);
         return -Sign::of(robust::orient3d(coord3(a), coord3(b), coord3(c), coord3(d)));
     };

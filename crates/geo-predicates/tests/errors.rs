@@ -1,11 +1,14 @@
 //! Nothing panics, and nothing loops, for coordinates that the door would have refused.
 
 use geo_predicates::{
-    DVec2, DVec3, WeightedPoint2, WeightedPoint3, filter::Filter2, filter::Filter3,
-    in_circle_perturbed, in_diametral_ball, in_diametral_circle, in_diametral_sphere,
-    in_sphere_perturbed, orient2d, orient3d, power_circle_perturbed, power_sphere_perturbed,
+    DVec2, DVec3, Sign, WeightedPoint2, WeightedPoint3, filter::Filter2, filter::Filter3,
+    in_circle, in_circle_perturbed, in_diametral_ball, in_diametral_circle, in_diametral_sphere,
+    in_sphere, in_sphere_perturbed, orient2d, orient3d, power_circle_perturbed,
+    power_sphere_perturbed,
 };
 use proptest::prelude::*;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 
 /// Any double at all, the special ones often.
 fn hostile() -> impl Strategy<Value = f64> {
@@ -38,4 +41,32 @@ proptest! {
         let weighted = |i: usize| WeightedPoint3 { point: solid[i], weight: values[4 * i + 3] };
         let _ = power_sphere_perturbed(weighted(0), weighted(1), weighted(2), weighted(3), weighted(4));
     }
+}
+
+/// Expansions of NaN keep their zeros and once grew to full length: minutes instead of moments.
+#[test]
+fn thousands_of_queries_with_numbers_that_are_none_end() {
+    let mut rng = ChaCha8Rng::seed_from_u64(6);
+    let mut signs = [0; 3];
+    for _ in 0..20_000 {
+        let mut hostile = || match rng.random_range(0..5) {
+            0 => f64::NAN,
+            1 => f64::from_bits(rng.random()),
+            2 => f64::INFINITY,
+            3 => f64::from_bits(rng.random_range(0..9)),
+            _ => 1.0,
+        };
+        let points = [(); 5].map(|()| DVec3::new(hostile(), hostile(), hostile()));
+        let [a, b, c, d, e] = points;
+        let [p, q, r, s, _] = points.map(DVec3::truncate);
+        for sign in [
+            in_sphere(a, b, c, d, e),
+            orient3d(a, b, c, d),
+            in_circle(p, q, r, s),
+            orient2d(p, q, r),
+        ] {
+            signs[(sign as i8 + 1) as usize] += 1;
+        }
+    }
+    assert!(signs[(Sign::Zero as i8 + 1) as usize] > 1000, "{signs:?}");
 }
