@@ -1,4 +1,5 @@
-//! A block: four curves round a quadrilateral piece of domain between a medial arc and a wall, and its neighbours (§3).
+//! A block: four curves round a quadrilateral piece of domain between a medial arc and a wall, and
+//! its neighbours (§3).
 //!
 //! ```text
 //!            ξ1: wall
@@ -10,15 +11,16 @@
 //!            ξ0: medial arc
 //! ```
 //!
-//! A block lies where its hole is at home, so the blocks round one hole meet along their η-curves without a shift and only
-//! ξ0 can cross into another period.
+//! A block lies where its hole is at home, so the blocks round one hole meet along their η-curves
+//! without a shift and only ξ0 can cross into another period.
 
 use std::fmt;
 
 use crate::medial_graph::{ArcEnd, ArcId, MedialArc};
 use crate::wall::{Shift, WallId};
 
-/// A block, numbered by its arc: blocks `2 a` and `2 a + 1` lie to the right and to the left of arc `a`.
+/// A block, numbered by its arc: blocks `2 a` and `2 a + 1` lie to the right and to the left of arc
+/// `a`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct BlockId(pub(crate) u32);
 
@@ -72,7 +74,8 @@ pub enum ArcSide {
     Left,
 }
 
-/// A corner of a block at a medial vertex: the vertex, the periods that move it to the block, and which of its touches is on the block's wall.
+/// A corner of a block at a medial vertex: the vertex, the periods that move it to the block, and
+/// which of its touches is on the block's wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockCorner {
     /// The medial vertex.
@@ -93,7 +96,8 @@ impl BlockCorner {
 /// The three blocks with which a block exchanges values; ξ1 is wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Neighbours {
-    /// Across the medial arc: the block and the periods that move this block's arc onto that block's.
+    /// Across the medial arc: the block and the periods that move this block's arc onto that
+    /// block's.
     ///
     /// The shared curve runs in opposite directions of η.
     pub xi0: (BlockId, Shift),
@@ -171,7 +175,8 @@ fn lone_block(id: ArcId, arc: &MedialArc, side: ArcSide) -> Block {
     }
 }
 
-/// Glues blocks along their η-curves: one block ends and one starts on every ray from a medial vertex to a wall.
+/// Glues blocks along their η-curves: one block ends and one starts on every ray from a medial
+/// vertex to a wall.
 fn link_round_walls(blocks: &mut [Block]) {
     let mut ends: Vec<((usize, u8), usize)> = blocks
         .iter()
@@ -188,5 +193,62 @@ fn link_round_walls(blocks: &mut [Block]) {
     for (&(_, before), &(_, after)) in ends.iter().zip(&starts) {
         blocks[before].neighbours.eta1 = BlockId(after as u32);
         blocks[after].neighbours.eta0 = BlockId(before as u32);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Blocking;
+    use crate::example_domains::{one_hole, three_holes, two_periodic_holes};
+
+    #[test]
+    fn following_eta1_round_a_wall_visits_all_its_blocks_and_comes_back() {
+        for domain in [one_hole(), three_holes(), two_periodic_holes()] {
+            let blocking = Blocking::of(&domain).unwrap();
+            for first in blocking.block_ids() {
+                let wall = blocking.block(first).wall;
+                let blocks = blocking.blocks().iter();
+                let count = blocks.filter(|block| block.wall == wall).count();
+                let mut at = first;
+                for step in 0..count {
+                    assert!(step == 0 || at != first, "{wall:?} has two rings of blocks");
+                    at = blocking.block(at).neighbours.eta1;
+                }
+                assert_eq!(at, first);
+            }
+        }
+    }
+
+    #[test]
+    fn neighbours_share_the_whole_of_their_curves() {
+        for domain in [one_hole(), three_holes(), two_periodic_holes()] {
+            let blocking = Blocking::of(&domain).unwrap();
+            for block in blocking.blocks() {
+                let (mate, shift) = block.neighbours.xi0;
+                let mate = blocking.block(mate);
+                let at = |corner: BlockCorner| (corner.vertex, corner.shift);
+                let moved = |corner: BlockCorner| (corner.vertex, corner.shift + shift);
+                assert_eq!(moved(block.start), at(mate.end));
+                assert_eq!(moved(block.end), at(mate.start));
+                let next = blocking.block(block.neighbours.eta1);
+                assert_eq!(block.end.ray(), next.start.ray());
+            }
+        }
+    }
+
+    #[test]
+    fn blocks_are_numbered_by_their_arcs() {
+        let blocking = Blocking::of(&three_holes()).unwrap();
+        for arc in blocking.arc_ids() {
+            let (right, left) = (arc.right_block(), arc.left_block());
+            assert_eq!(
+                (right.index(), left.index()),
+                (2 * arc.index(), 2 * arc.index() + 1)
+            );
+            assert_eq!(blocking.block(right).side, ArcSide::Right);
+            assert_eq!(blocking.block(left).side, ArcSide::Left);
+        }
+        assert_eq!(ArcId(3).left_block().to_string(), "b7");
     }
 }

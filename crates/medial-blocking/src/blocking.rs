@@ -18,8 +18,9 @@ use crate::wall::{Wall, WallId};
 
 /// A domain cut into blocks.
 ///
-/// `h ≥ 2` holes in a circle give 2 (h − 1) medial vertices and 6 (h − 1) blocks, `h` holes in a periodic rectangle 2 h and
-/// 6 h. A single hole in a circle gives 8 blocks, its closed medial axis being cut four times.
+/// `h ≥ 2` holes in a circle give 2 (h − 1) medial vertices and 6 (h − 1) blocks, `h` holes in a
+/// periodic rectangle 2 h and 6 h. A single hole in a circle gives 8 blocks, its closed medial axis
+/// being cut four times.
 #[derive(Clone, Debug)]
 pub struct Blocking {
     domain: Domain,
@@ -34,10 +35,11 @@ impl Blocking {
     /// Cuts `domain` into blocks.
     ///
     /// # Errors
-    /// [`BlockingError::Unresolved`] or [`BlockingError::TooManySamples`] when double precision or 32-bit ids do not resolve the gaps.
+    /// [`BlockingError::Unresolved`] or [`BlockingError::TooManySamples`] when double precision or
+    /// 32-bit ids do not resolve the gaps.
     ///
-    /// O(s log s) for s boundary samples; s is proportional to the number of holes while gaps are of the size of the holes.
-    /// Source: Guoy & Erickson, Algorithms 1 and 2.
+    /// O(s log s) for s boundary samples; s is proportional to the number of holes while gaps are
+    /// of the size of the holes. Source: Guoy & Erickson, Algorithms 1 and 2.
     pub fn of(domain: &Domain) -> Result<Self, BlockingError> {
         Self::of_with(domain, &mut silent)
     }
@@ -84,7 +86,8 @@ impl Blocking {
         &self.domain
     }
 
-    /// The boundary samples, their triangulation and the sampled medial axis: §2 as the paper has it.
+    /// The boundary samples, their triangulation and the sampled medial axis: §2 as the paper has
+    /// it.
     #[must_use]
     pub const fn sampled_axis(&self) -> SampledAxis<'_> {
         SampledAxis {
@@ -155,7 +158,8 @@ impl Blocking {
 
     /// The point at `t` in [0, 1] of a bounding curve of a block, `t` growing with ξ or η.
     ///
-    /// Along ξ0 equal steps of `t` turn the ray from the driving hole by equal angles; along ξ1 they are equal lengths of wall.
+    /// Along ξ0 equal steps of `t` turn the ray from the driving hole by equal angles; along ξ1
+    /// they are equal lengths of wall.
     #[must_use]
     pub fn curve(&self, id: BlockId, side: BlockSide, t: f64) -> DVec2 {
         let block = self.block(id);
@@ -182,12 +186,14 @@ impl Blocking {
         }
     }
 
-    /// Radians of wall from η = 0 to η = 1, counterclockwise positive: at most 0 on holes, at least 0 on the bounding circle.
+    /// Radians of wall from η = 0 to η = 1, counterclockwise positive: at most 0 on holes, at least
+    /// 0 on the bounding circle.
     #[must_use]
     pub fn wall_sweep(&self, id: BlockId) -> f64 {
         let block = self.block(id);
         let wall = self.wall_of(block);
-        // The touching point moves steadily along the wall, so following it in a few steps loses no turn.
+        // The touching point moves steadily along the wall, so following it in a few steps loses no
+        // turn.
         const STEPS: usize = 16;
         let direction = |k: usize| match k {
             0 => self.touch_direction(&block.start),
@@ -214,9 +220,11 @@ impl Blocking {
         self.vertex(corner.vertex).touches[usize::from(corner.touch)].direction
     }
 
-    /// The arcs shorter than `ratio` times the clearance at the narrower of their ends: their blocks are thin, or empty where four walls are co-circular.
+    /// The arcs shorter than `ratio` times the clearance at the narrower of their ends: their
+    /// blocks are thin, or empty where four walls are co-circular.
     ///
-    /// Source: §4.2; `ratio` 1e-6 finds what rounding leaves of co-circular holes, 0.2 what a picture shows as thin.
+    /// Source: §4.2; `ratio` 1e-6 finds what rounding leaves of co-circular holes, 0.2 what a
+    /// picture shows as thin.
     pub fn thin_arcs(&self, ratio: f64) -> impl Iterator<Item = ArcId> + '_ {
         self.arc_ids().filter(move |&id| self.is_thin(id, ratio))
     }

@@ -1,7 +1,7 @@
 //! Distance from a point to the nearest walls: how large an empty circle fits there.
 //!
-//! Holes lie in an R-tree, in a periodic domain with their eight nearest images; the bounding circle is compared on the side.
-//! A query costs O(log n) for n holes.
+//! Holes lie in an R-tree, in a periodic domain with their eight nearest images; the bounding
+//! circle is compared on the side. A query costs O(log n) for n holes.
 
 use glam::DVec2;
 use rstar::{AABB, PointDistance, RTree, RTreeObject};
@@ -69,7 +69,8 @@ impl<'a> Clearance<'a> {
 
     /// The nearest wall to `p` that `admit` lets pass; `None` when no wall does.
     ///
-    /// In a periodic domain `p` may lie anywhere: it is moved into the rectangle and the answer back.
+    /// In a periodic domain `p` may lie anywhere: it is moved into the rectangle and the answer
+    /// back.
     pub(crate) fn nearest(
         &self,
         p: DVec2,

@@ -1,15 +1,18 @@
-//! What to mesh: circular holes in a bounding circle, or in a periodic rectangle (Guoy & Erickson, Problem 1 and §5).
+//! What to mesh: circular holes in a bounding circle, or in a periodic rectangle (Guoy & Erickson,
+//! Problem 1 and §5).
 //!
-//! A [`Domain`] cannot be wrong: its constructors look at every circle and every pair of circles and either accept
-//! or answer a [`DomainError`] that lists all defects, not only the first. Code behind this door never asks again.
+//! A [`Domain`] cannot be wrong: its constructors look at every circle and every pair of circles
+//! and either accept or answer a [`DomainError`] that lists all defects, not only the first. Code
+//! behind this door never asks again.
 
 use glam::DVec2;
 
 use crate::error::{Defect, DomainError};
-use crate::validate::usable;
+use crate::validate::usable_length;
 use crate::wall::{Circle, Shift, Wall, WallId, WallImage, WallKind, WallName};
 
-/// Farther than this many periods from the rectangle a centre has lost too many digits to be moved into it.
+/// Farther than this many periods from the rectangle a centre has lost too many digits to be moved
+/// into it.
 const MAX_PERIODS: f64 = (1u32 << 20) as f64;
 
 /// Circular holes in a bounding circle or in a periodic rectangle, checked.
@@ -26,8 +29,9 @@ impl Domain {
     /// The domain inside `bounding` and outside every circle of `holes`.
     ///
     /// # Errors
-    /// Every defect found: no hole, a coordinate or radius that is not a usable number, equal circles, pairs of circles that overlap or
-    /// touch with their gap, holes that are not inside the bounding circle. O(n log n) for n holes that do not overlap.
+    /// Every defect found: no hole, a coordinate or radius that is not a usable number, equal
+    /// circles, pairs of circles that overlap or touch with their gap, holes that are not inside
+    /// the bounding circle. O(n log n) for n holes that do not overlap.
     pub fn in_circle(bounding: Circle, holes: &[Circle]) -> Result<Self, DomainError> {
         let mut walls: Vec<Wall> = holes
             .iter()
@@ -48,16 +52,18 @@ impl Domain {
         .validated()
     }
 
-    /// The plane tiled by a rectangle of side lengths `period`, outside every circle of `holes` and its images.
+    /// The plane tiled by a rectangle of side lengths `period`, outside every circle of `holes` and
+    /// its images.
     ///
-    /// Centres are moved by whole periods into `[0, period)`. The period is rounded by at most 2^-48 of itself so that moving a
-    /// node by whole periods is exact; [`Domain::period`] tells the rounded value.
+    /// Centres are moved by whole periods into `[0, period)`. The period is rounded by at most
+    /// 2^-48 of itself so that moving a node by whole periods is exact; [`Domain::period`] tells
+    /// the rounded value.
     ///
     /// # Errors
     /// As for [`Domain::in_circle`]; a hole may also overlap its own image.
     pub fn periodic(period: DVec2, holes: &[Circle]) -> Result<Self, DomainError> {
         let defects: Vec<Defect> = (0..2)
-            .filter(|&axis| !(usable(period[axis]) && period[axis] > 0.0))
+            .filter(|&axis| !usable_length(period[axis]))
             .map(|axis| Defect::Period {
                 axis: ['x', 'y'][axis],
                 value: period[axis],
@@ -151,7 +157,36 @@ impl Domain {
         })
     }
 
-    /// The shifts under which an image of a hole can be the one nearest to a point in or next to the rectangle.
+    /// The same domain at a size of about 1, and the power of two by which to multiply to come back.
+    ///
+    /// At that size the coordinates of samples are in the range of the exact predicates, whatever the
+    /// size of the domain; powers of two change no digit.
+    pub(crate) fn at_unit_size(&self) -> (Self, f64) {
+        let size = power_of_two_below(self.largest_number());
+        let unit = |circle: Circle| Circle::new(circle.center / size, circle.radius / size);
+        let walls = self.walls.iter().map(|wall| Wall {
+            circle: unit(wall.circle),
+            ..*wall
+        });
+        let domain = Self {
+            walls: walls.collect(),
+            holes: self.holes,
+            period: self.period.map(|period| period / size),
+        };
+        (domain, size)
+    }
+
+    /// The largest absolute coordinate of a point of a wall, or the longer period.
+    pub(crate) fn largest_number(&self) -> f64 {
+        self.walls
+            .iter()
+            .map(|wall| wall.circle.center.abs().max_element() + wall.circle.radius)
+            .chain(self.period.map(DVec2::max_element))
+            .fold(0.0, f64::max)
+    }
+
+    /// The shifts under which an image of a hole can be the one nearest to a point in or next to
+    /// the rectangle.
     pub(crate) fn near_shifts(&self) -> impl Iterator<Item = Shift> + use<> {
         let reach = i32::from(self.period.is_some());
         (-reach..=reach).flat_map(move |x| (-reach..=reach).map(move |y| Shift::new(x, y)))
@@ -187,15 +222,19 @@ struct Lattice {
 
 impl Lattice {
     fn of(period: f64) -> Self {
-        let exponent = ((period.to_bits() >> 52) & 0x7ff) as i64 - 1023;
         Self {
-            per_unit: f64::from_bits(((1023 + 48 - exponent) as u64) << 52),
+            per_unit: (1u64 << 48) as f64 / power_of_two_below(period),
         }
     }
 
     fn snap(&self, x: f64) -> f64 {
         (x * self.per_unit).round() / self.per_unit
     }
+}
+
+/// The largest power of two that is not larger than `x`, a positive normal number.
+fn power_of_two_below(x: f64) -> f64 {
+    f64::from_bits(x.to_bits() & (0x7ff << 52))
 }
 
 /// Centres that are too many periods away to be moved into the rectangle.
@@ -255,6 +294,18 @@ mod tests {
     }
 
     #[test]
+    fn a_domain_at_unit_size_has_the_same_digits() {
+        let domain = Domain::in_circle(circle(12.5, -3.0, 40.0), &[circle(7.0, 0.1, 3.3)]).unwrap();
+        let (unit, size) = domain.at_unit_size();
+        assert_eq!(size, 32.0);
+        assert!((1.0..2.0).contains(&unit.largest_number()));
+        for (wall, original) in unit.walls().iter().zip(domain.walls()) {
+            assert_eq!(wall.circle.center * size, original.circle.center);
+            assert_eq!(wall.circle.radius * size, original.circle.radius);
+        }
+    }
+
+    #[test]
     fn every_overlapping_pair_is_listed_with_its_gap() {
         let holes = [
             circle(0.0, 0.0, 1.0),
@@ -284,7 +335,7 @@ mod tests {
 
     #[test]
     fn unusable_numbers_are_named() {
-        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e200, 1e-200] {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e200, -1e200] {
             let holes = [circle(bad, 0.0, 0.1), circle(0.0, 0.0, bad)];
             let error = Domain::in_circle(circle(0.0, 0.0, 1.0), &holes).unwrap_err();
             assert_eq!(error.defects().len(), 2);

@@ -14,8 +14,8 @@ pub enum Defect {
     /// There is no hole: the medial axis of a disk is a point, of an empty rectangle nothing.
     #[error("there is no hole")]
     NoHoles,
-    /// A centre is not finite, or its size is not zero and outside 2^-142 to 2^201.
-    #[error("{wall}: {axis} of the centre is {value}, not a usable number")]
+    /// A centre is not finite, or larger than 2^201.
+    #[error("{wall}: {axis} of the centre is {value:?}, not a usable number")]
     Center {
         /// The circle.
         wall: WallName,
@@ -24,24 +24,25 @@ pub enum Defect {
         /// The value given.
         value: f64,
     },
-    /// A radius is not a positive finite number of usable size.
-    #[error("{wall}: radius {radius} is not a usable positive number")]
+    /// A radius is not between 2^-142 and 2^201.
+    #[error("{wall}: radius {radius:?} is not a usable positive number")]
     Radius {
         /// The circle.
         wall: WallName,
         /// The value given.
         radius: f64,
     },
-    /// A radius is below 2^-36 of the largest coordinate: doubles do not tell points of the circle apart well enough.
-    #[error("{wall}: radius {radius} is too small beside the coordinates to be resolved")]
+    /// A radius is below 2^-36 of the largest coordinate: doubles do not tell points of the circle
+    /// apart well enough.
+    #[error("{wall}: radius {radius:?} is too small beside the coordinates to be resolved")]
     Tiny {
         /// The circle.
         wall: WallName,
         /// The value given.
         radius: f64,
     },
-    /// A period is not a positive finite number of usable size.
-    #[error("period {axis} is {value}, not a usable positive number")]
+    /// A period is not between 2^-142 and 2^201.
+    #[error("period {axis} is {value:?}, not a usable positive number")]
     Period {
         /// `x` or `y`.
         axis: char,
@@ -133,13 +134,13 @@ pub enum BlockingError {
     /// The circles do not make a domain.
     #[error(transparent)]
     Domain(#[from] DomainError),
-    /// Sampling did not come to an end: circles so close, or so unequal, that doubles do not tell their samples apart.
-    #[error(
-        "the samples of the walls do not resolve the domain: circles too close or too unequal in size"
-    )]
+    /// Sampling did not come to an end: circles so close, or so unequal, that doubles do not tell
+    /// their samples apart.
+    #[error("the samples of the walls do not resolve the domain: circles too close or too unequal")]
     Unresolved,
-    /// The samples that the gaps ask for are more than the triangulation can number.
-    #[error("the gaps ask for more than {limit} boundary samples")]
+    /// Tiny gaps, or a period very long beside its holes, ask for more samples and images of samples
+    /// than the triangulation can number.
+    #[error("the domain asks for more than {limit} boundary samples and images of samples")]
     TooManySamples {
         /// The largest number of samples.
         limit: usize,
@@ -151,13 +152,13 @@ pub enum BlockingError {
         what: String,
     },
     /// The target cell size is not a positive finite number.
-    #[error("cell size {size} is not a positive finite number")]
+    #[error("cell size {size:?} is not a positive finite number")]
     CellSize {
         /// The value given.
         size: f64,
     },
     /// The mesh would be larger than [`crate::MAX_CELLS`].
-    #[error("the mesh would have {cells} cells, more than {limit}")]
+    #[error("the mesh would have {cells:.3e} cells, more than {limit}")]
     TooManyCells {
         /// The number asked for, rounded.
         cells: f64,

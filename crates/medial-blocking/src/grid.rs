@@ -53,7 +53,8 @@ impl BlockGrid {
         self.nodes[j * (self.across + 1) + i]
     }
 
-    /// The corners of every cell, counterclockwise from the one with the smallest ξ and η; ξ fastest.
+    /// The corners of every cell, counterclockwise from the one with the smallest ξ and η; ξ
+    /// fastest.
     pub fn cells(&self) -> impl Iterator<Item = [DVec2; 4]> + '_ {
         let row = self.across + 1;
         (0..self.along).flat_map(move |j| {
@@ -72,7 +73,8 @@ impl BlockGrid {
 
 /// A blocking with a grid in every block.
 ///
-/// Blocks that share a curve have the same nodes on it, bit for bit, up to the shift of a periodic side.
+/// Blocks that share a curve have the same nodes on it, bit for bit, up to the shift of a periodic
+/// side.
 #[derive(Clone, Debug)]
 pub struct BlockMesh {
     blocking: Blocking,
@@ -84,9 +86,11 @@ impl BlockMesh {
     /// Places the nodes of every block.
     ///
     /// # Errors
-    /// Counts that are zero, too small for a cell not to fold, too large together, or of the wrong length; a cell size that is not positive.
+    /// Counts that are zero, too small for a cell not to fold, too large together, or of the wrong
+    /// length; a cell size that is not positive.
     ///
-    /// O(cells), on all threads of the current rayon pool; the result does not depend on their number. Source: Guoy & Erickson §3 and §5, equal spacing and transfinite interpolation.
+    /// O(cells), on all threads of the current rayon pool; the result does not depend on their
+    /// number. Source: Guoy & Erickson §3 and §5, equal spacing and transfinite interpolation.
     pub fn of(blocking: Blocking, params: &Params) -> Result<Self, BlockingError> {
         Self::of_with(blocking, params, &mut silent)
     }
@@ -122,7 +126,8 @@ impl BlockMesh {
         })
     }
 
-    /// The arcs whose nodes, or whose walls' nodes, are not spaced as asked for, because a cell would have folded.
+    /// The arcs whose nodes, or whose walls' nodes, are not spaced as asked for, because a cell
+    /// would have folded.
     #[must_use]
     pub fn leaning_arcs(&self) -> &[ArcId] {
         &self.leaning
@@ -203,5 +208,60 @@ fn block_grid(blocking: &Blocking, id: BlockId, side: &SideNodes, counts: &Count
         across: across as usize,
         along: side.xi0.len() - 1,
         nodes,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::CellCounts;
+    use crate::example_domains::three_holes;
+
+    fn meshed(cells: CellCounts) -> BlockMesh {
+        let params = Params {
+            cells,
+            ..Params::default()
+        };
+        crate::mesh(&three_holes(), &params).unwrap()
+    }
+
+    #[test]
+    fn node_i_j_is_a_corner_of_the_cells_round_it() {
+        let mesh = meshed(CellCounts::PerBlock(5));
+        let grid = &mesh.grids()[0];
+        assert_eq!(grid.nodes().len(), 36);
+        let cells: Vec<_> = grid.cells().collect();
+        assert_eq!(cells.len(), 25);
+        for (i, j) in [(0, 0), (4, 0), (2, 3), (4, 4)] {
+            let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
+            assert_eq!(cells[5 * j + i], corners.map(|(i, j)| grid.node(i, j)));
+        }
+    }
+
+    #[test]
+    fn lines_of_constant_eta_are_straight_and_equally_spaced() {
+        let mesh = meshed(CellCounts::PerBlock(6));
+        for grid in mesh.grids() {
+            for j in 0..=6 {
+                let (from, to) = (grid.node(0, j), grid.node(6, j));
+                for i in 0..=6 {
+                    let expected = from.lerp(to, i as f64 / 6.0);
+                    assert!(grid.node(i, j).distance(expected) < 1e-14);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_cell_count_is_that_of_all_blocks() {
+        let mesh = meshed(CellCounts::Each {
+            along_arc: vec![4, 5, 6, 7, 8, 9],
+            across_wall: vec![1, 2, 3, 4],
+        });
+        assert_eq!(mesh.cell_count(), mesh.cells().count());
+        for (block, grid) in mesh.blocks() {
+            assert_eq!(grid.cells_along(), 4 + block.arc.index());
+            assert_eq!(grid.cells_across(), 1 + block.wall.index());
+        }
     }
 }

@@ -1,7 +1,8 @@
 //! Multiblock structured quad meshes around circles, from the medial axis.
 //!
-//! Circles in, blocks out: the domain inside a bounding circle, or in a periodic rectangle, and outside circular holes is cut into blocks with a
-//! structured grid each, body-fitted and orthogonal to every circle, conforming from block to block. The method is that of Guoy and
+//! Circles in, blocks out: the domain inside a bounding circle, or in a periodic rectangle, and
+//! outside circular holes is cut into blocks with a structured grid each, body-fitted and
+//! orthogonal to every circle, conforming from block to block. The method is that of Guoy and
 //! Erickson, *Automatic blocking scheme for structured meshing in 2D multiphase flow simulation*.
 //!
 //! ```
@@ -19,16 +20,20 @@
 //!
 //! 1. [`Domain`]: circles, checked (Problem 1, §5);
 //! 2. [`sample`]: samples of the walls, spaced by the local gap (§2);
-//! 3. [`triangulation`]: their Delaunay triangulation inside the domain, in a periodic one that of the infinite tiling (§2, §5);
+//! 3. [`triangulation`]: their Delaunay triangulation inside the domain, in a periodic one that of
+//!    the infinite tiling (§2, §5);
 //! 4. [`medial_axis`]: interior triangles and the sequences between them (Algorithm 1);
 //! 5. [`blocking2d`]: the curves C1, M and C2 of every pair of blocks (Algorithm 2);
-//! 6. [`medial_graph`]: vertices and arcs made exact: circles that touch three walls, bisectors of two;
+//! 6. [`medial_graph`]: vertices and arcs made exact: circles that touch three walls, bisectors of
+//!    two;
 //! 7. [`block`]: blocks with their four curves and three neighbours (§3);
-//! 8. [`nodes`](params): nodes along the curves, and [`transfinite`] interpolation between them (§3, §5).
+//! 8. [`nodes`](params): nodes along the curves, and [`transfinite`] interpolation between them
+//!    (§3, §5).
 //!
-//! Topology comes from exact predicates on the samples and is the same on every machine. Vertices, arcs and touching points are computed from the circles, not from
-//! the samples, to rounding error. What the paper leaves for special cases (thin blocks between nearly co-circular holes, poor angles) is
-//! left as it is and can be asked for: [`Blocking::thin_arcs`].
+//! Topology comes from exact predicates on the samples and is the same on every machine. Vertices,
+//! arcs and touching points are computed from the circles, not from the samples, to rounding error.
+//! What the paper leaves for special cases (thin blocks between nearly co-circular holes, poor
+//! angles) is left as it is and can be asked for: [`Blocking::thin_arcs`].
 
 pub mod bisector;
 pub mod block;
@@ -37,6 +42,8 @@ pub mod blocking2d;
 mod clearance;
 mod domain;
 mod error;
+#[cfg(test)]
+mod example_domains;
 mod grid;
 pub mod medial_axis;
 pub mod medial_graph;
@@ -73,7 +80,8 @@ type Report<'a> = dyn FnMut(Progress) -> ControlFlow<()> + 'a;
 /// # Errors
 /// See [`Blocking::of`] and [`BlockMesh::of`].
 ///
-/// O(s log s + cells) for s boundary samples, which are proportional to the number of holes while gaps are of the size of the holes.
+/// O(s log s + cells) for s boundary samples, which are proportional to the number of holes while
+/// gaps are of the size of the holes.
 pub fn mesh(domain: &Domain, params: &Params) -> Result<BlockMesh, BlockingError> {
     BlockMesh::of(Blocking::of(domain)?, params)
 }

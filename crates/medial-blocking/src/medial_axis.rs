@@ -1,7 +1,8 @@
 //! Algorithm 1: the medial axis approximated from the Delaunay triangulation of the domain (§2).
 //!
-//! Vertices are the circumcentres of interior triangles. An arc is the sequence of triangles between two interior ones: it enters a boundary
-//! triangle through one of its two interior sides and leaves through the other, until it enters an interior triangle.
+//! Vertices are the circumcentres of interior triangles. An arc is the sequence of triangles
+//! between two interior ones: it enters a boundary triangle through one of its two interior sides
+//! and leaves through the other, until it enters an interior triangle.
 
 use glam::DVec2;
 
@@ -19,7 +20,8 @@ pub struct Entry {
     pub shift: Shift,
 }
 
-/// A sequence of triangles from one interior triangle to the next: an arc of the sampled medial axis.
+/// A sequence of triangles from one interior triangle to the next: an arc of the sampled medial
+/// axis.
 #[derive(Clone, Debug)]
 pub struct TriangleSequence {
     /// The side through which the arc leaves its first triangle, which is at home.
@@ -114,5 +116,64 @@ impl SampledAxis<'_> {
     #[must_use]
     pub fn point(&self, corner: Corner) -> DVec2 {
         corner_point(self.domain, self.samples, corner)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Blocking;
+    use crate::example_domains::{one_hole, three_holes, two_periodic_holes};
+
+    #[test]
+    fn an_arc_runs_through_boundary_triangles_from_one_interior_triangle_to_another() {
+        for domain in [three_holes(), two_periodic_holes()] {
+            let blocking = Blocking::of(&domain).unwrap();
+            let axis = blocking.sampled_axis();
+            for arc in axis.arcs() {
+                let interior: Vec<bool> = arc
+                    .triangles()
+                    .map(|(triangle, _)| axis.triangulation.triangle(triangle).is_interior())
+                    .collect();
+                let (first, rest) = interior.split_first().unwrap();
+                let (last, between) = rest.split_last().unwrap();
+                assert!(*first && *last && !between.contains(&true));
+            }
+        }
+    }
+
+    #[test]
+    fn the_arcs_leave_every_side_of_every_interior_triangle_once() {
+        let blocking = Blocking::of(&three_holes()).unwrap();
+        let axis = blocking.sampled_axis();
+        let mut ends: Vec<SideId> = axis
+            .arcs()
+            .iter()
+            .flat_map(|arc| [arc.start, arc.entries.last().unwrap().side])
+            .collect();
+        ends.sort_unstable();
+        let sides = |triangle| (0..3).map(move |side| SideId { triangle, side });
+        let expected: Vec<SideId> = axis.triangulation.interior().flat_map(sides).collect();
+        assert_eq!(ends, expected);
+    }
+
+    #[test]
+    fn circumcentres_lie_near_the_bisector_of_the_walls_of_their_arc() {
+        let domain = three_holes();
+        let blocking = Blocking::of(&domain).unwrap();
+        let axis = blocking.sampled_axis();
+        for (sequence, arc) in axis.arcs().iter().zip(blocking.arcs()) {
+            for p in sequence.polyline(&axis) {
+                let [right, left] =
+                    [arc.right, arc.left].map(|wall| domain.wall_image(wall).distance(p));
+                assert!((right - left).abs() < 0.05, "{right} {left}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_single_hole_has_no_arc_because_no_triangle_is_interior() {
+        let blocking = Blocking::of(&one_hole()).unwrap();
+        assert!(blocking.sampled_axis().arcs().is_empty());
     }
 }

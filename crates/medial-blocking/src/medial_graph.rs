@@ -1,6 +1,8 @@
-//! The medial axis as a graph: vertices with the walls they touch, arcs with the bisector they follow.
+//! The medial axis as a graph: vertices with the walls they touch, arcs with the bisector they
+//! follow.
 //!
-//! Every arc has a *frame*, the one in which its driving hole is at home; the other wall and the end vertices carry the periods that move them there.
+//! Every arc has a *frame*, the one in which its driving hole is at home; the other wall and the
+//! end vertices carry the periods that move them there.
 
 use glam::DVec2;
 
@@ -73,13 +75,15 @@ pub struct ArcEnd {
     pub vertex: MedialVertexId,
     /// The periods that move the vertex to the arc's end.
     pub shift: Shift,
-    /// Which of the vertex's touches is on the wall to the right of the arc, travelling from start to end.
+    /// Which of the vertex's touches is on the wall to the right of the arc, travelling from start
+    /// to end.
     pub right: u8,
     /// Which is on the wall to the left.
     pub left: u8,
 }
 
-/// An arc of the medial axis: the centres of the empty circles that touch two walls, between two vertices.
+/// An arc of the medial axis: the centres of the empty circles that touch two walls, between two
+/// vertices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MedialArc {
     /// Where it starts.
@@ -99,7 +103,8 @@ pub struct MedialArc {
 pub struct ArcCurve {
     bisector: Bisector,
     from: DVec2,
-    /// Radians from the start to the end of the arc round the driving hole, counterclockwise positive.
+    /// Radians from the start to the end of the arc round the driving hole, counterclockwise
+    /// positive.
     sweep: f64,
 }
 
@@ -154,7 +159,8 @@ fn medial_arc(
     pair: &BlockPair,
 ) -> Option<MedialArc> {
     let (first, last) = (pair.sequence.start, *pair.sequence.entries.last()?);
-    // A side's corner k is the touch k of the vertex; at the end of the arc the side is seen from beyond.
+    // A side's corner k is the touch k of the vertex; at the end of the arc the side is seen from
+    // beyond.
     let start = ArcEnd {
         vertex: vertex_of[first.triangle.index()],
         shift: Shift::ZERO,
@@ -208,8 +214,8 @@ fn medial_arc(
     })
 }
 
-/// Whether the first of two walls drives the arc between them: a hole before the bounding circle, else the smaller, round which
-/// directions change most; between equals the smaller id, then shift.
+/// Whether the first of two walls drives the arc between them: a hole before the bounding circle,
+/// else the smaller, round which directions change most; between equals the smaller id, then shift.
 fn drives(domain: &Domain, first: WallImage, second: WallImage) -> bool {
     let rank = |image: WallImage| {
         let wall = domain.wall(image.wall);
@@ -223,7 +229,8 @@ fn drives(domain: &Domain, first: WallImage, second: WallImage) -> bool {
         .is_le()
 }
 
-/// Radians from one touching point to another, following the samples between them so that no turn is lost.
+/// Radians from one touching point to another, following the samples between them so that no turn
+/// is lost.
 fn sweep(axis: &SampledAxis<'_>, chain: &[Corner], from: DVec2, to: DVec2) -> f64 {
     let directions = chain
         .iter()
@@ -239,7 +246,8 @@ fn sweep(axis: &SampledAxis<'_>, chain: &[Corner], from: DVec2, to: DVec2) -> f6
 
 /// The medial axis of a single hole in a circle, a closed curve, cut into four arcs.
 ///
-/// The cuts lie in the direction of the bounding circle's centre and at right angles to it, so the blocks are as symmetric as the domain.
+/// The cuts lie in the direction of the bounding circle's centre and at right angles to it, so the
+/// blocks are as symmetric as the domain.
 pub(crate) fn ring(
     domain: &Domain,
     hole: WallId,
@@ -281,4 +289,69 @@ pub(crate) fn ring(
         direction = -direction.perp();
     }
     (vertices, arcs)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Blocking;
+    use crate::example_domains::{one_hole, three_holes, two_periodic_holes};
+
+    #[test]
+    fn an_arc_starts_and_ends_at_its_vertices() {
+        for domain in [one_hole(), three_holes(), two_periodic_holes()] {
+            let blocking = Blocking::of(&domain).unwrap();
+            for arc in blocking.arcs() {
+                for (end, u) in [(arc.start, 0.0), (arc.end, 1.0)] {
+                    let vertex = blocking.vertex(end.vertex).center + domain.translation(end.shift);
+                    assert!(arc.curve.point(u).distance(vertex) < 1e-13);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_ends_of_an_arc_touch_the_walls_on_its_two_sides() {
+        let blocking = Blocking::of(&two_periodic_holes()).unwrap();
+        for arc in blocking.arcs() {
+            for end in [arc.start, arc.end] {
+                let touches = &blocking.vertex(end.vertex).touches;
+                let image = |touch: u8| {
+                    let image = touches[usize::from(touch)].image;
+                    WallImage {
+                        shift: image.shift + end.shift,
+                        ..image
+                    }
+                };
+                assert_eq!((image(end.right), image(end.left)), (arc.right, arc.left));
+            }
+        }
+    }
+
+    #[test]
+    fn the_speed_of_a_curve_is_the_length_of_its_derivative() {
+        let blocking = Blocking::of(&three_holes()).unwrap();
+        for arc in blocking.arcs() {
+            let step = 1e-6;
+            let chord = arc
+                .curve
+                .point(0.3 + step)
+                .distance(arc.curve.point(0.3 - step));
+            let speed = arc.curve.speed(0.3);
+            assert!((chord / (2.0 * step) - speed).abs() < 1e-6 * speed);
+        }
+    }
+
+    #[test]
+    fn a_hole_drives_before_the_bounding_circle_and_a_small_one_before_a_large() {
+        let domain = three_holes();
+        let image = |wall| WallImage {
+            wall: WallId(wall),
+            shift: Shift::ZERO,
+        };
+        for (first, second) in [(0, 3), (1, 3), (2, 0), (0, 1)] {
+            assert!(drives(&domain, image(first), image(second)));
+            assert!(!drives(&domain, image(second), image(first)));
+        }
+    }
 }

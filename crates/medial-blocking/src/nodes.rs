@@ -1,10 +1,12 @@
 //! Nodes along the bounding curves of the blocks (§5, §6).
 //!
-//! Nodes are equally spaced by length along medial arcs and, unless empty circles match them, along walls. The paper holds that such nodes
-//! never fold a cell. They can: where an arc runs far out from a small hole, equal lengths of arc belong to very unequal angles of wall. So
-//! every strip of cells is tested, by exact signs, and where one folds the nodes of that arc *lean*: first the wall's nodes towards the touching points, then
-//! the arc's nodes towards equal angles round the smaller hole, in quarters, as little as unfolds the strips. Nodes that lean all the way cannot fold
-//! unless a cell spans half a turn.
+//! Nodes are equally spaced by length along medial arcs and, unless empty circles match them, along
+//! walls. The paper holds that such nodes never fold a cell. They can: where an arc runs far out
+//! from a small hole, equal lengths of arc belong to very unequal angles of wall. So every strip of
+//! cells is tested, by exact signs, and where one folds the nodes of that arc *lean*: first the
+//! wall's nodes towards the touching points, then the arc's nodes towards equal angles round the
+//! smaller hole, in quarters, as little as unfolds the strips. Nodes that lean all the way cannot
+//! fold unless a cell spans half a turn.
 
 use std::f64::consts::PI;
 
@@ -30,7 +32,8 @@ const GAUSS: [(f64, f64); 3] = [
 /// How far nodes lean away from equal spacing, tried in this order until no strip folds.
 const LEANS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// An arc shorter than this in units of its clearance is what rounding leaves of a vertex shared by four or more walls.
+/// An arc shorter than this in units of its clearance is what rounding leaves of a vertex shared by
+/// four or more walls.
 const COLLAPSED: f64 = 1e-6;
 
 /// Length along an arc as a function of its parameter, tabulated.
@@ -53,7 +56,8 @@ impl ArcLength {
         self.upto[PIECES]
     }
 
-    /// The parameter at which the length from the start is `length`, by safeguarded Newton steps inside one piece.
+    /// The parameter at which the length from the start is `length`, by safeguarded Newton steps
+    /// inside one piece.
     fn parameter(&self, length: f64) -> f64 {
         let piece = self
             .upto
@@ -121,8 +125,8 @@ impl Blocking {
     /// Nodes along an arc and the two walls on its sides, with no strip of cells folded.
     ///
     /// # Errors
-    /// [`BlockingError::TooFewCells`] when a cell would still fold. Arcs that rounding has left of co-circular holes are exempt: their cells are
-    /// empty however they are matched.
+    /// [`BlockingError::TooFewCells`] when a cell would still fold. Arcs that rounding has left of
+    /// co-circular holes are exempt: their cells are empty however they are matched.
     pub(crate) fn nodes_along(
         &self,
         id: ArcId,
@@ -234,7 +238,8 @@ pub(crate) struct SideNodes {
     folded: bool,
 }
 
-/// Angles of the points where the empty circles round the nodes of an arc touch a wall, from the first one.
+/// Angles of the points where the empty circles round the nodes of an arc touch a wall, from the
+/// first one.
 struct WallAngles(Vec<f64>);
 
 impl WallAngles {
@@ -254,7 +259,8 @@ impl WallAngles {
         Self(angles.collect())
     }
 
-    /// The wall's nodes, `lean` of the way from equal spacing to the touching points; the ends are the block's corners.
+    /// The wall's nodes, `lean` of the way from equal spacing to the touching points; the ends are
+    /// the block's corners.
     fn nodes(&self, blocking: &Blocking, id: BlockId, lean: f64) -> Vec<DVec2> {
         let block = blocking.block(id);
         let (wall, start) = (
@@ -290,4 +296,107 @@ fn folds(xi0: &[DVec2], xi1: &[DVec2]) -> bool {
             !orient2d(corners[k], corners[(k + 1) % 4], corners[(k + 2) % 4]).is_positive()
         })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::example_domains::{
+        four_co_circular_holes, one_hole, three_holes, two_periodic_holes,
+    };
+    use crate::{CellCounts, Params};
+
+    #[test]
+    fn the_nodes_of_an_arc_are_equally_spaced_by_length() {
+        for domain in [three_holes(), two_periodic_holes()] {
+            let blocking = Blocking::of(&domain).unwrap();
+            for id in blocking.arc_ids() {
+                let length = ArcLength::of(blocking.arc(id).curve);
+                let parameters: Vec<f64> = (0..=8)
+                    .map(|k| length.parameter(length.total() * f64::from(k) / 8.0))
+                    .collect();
+                let fine = |from: f64, to: f64| -> f64 {
+                    let at = |k: i32| {
+                        blocking
+                            .arc(id)
+                            .curve
+                            .point(from + (to - from) * f64::from(k) / 200.0)
+                    };
+                    (0..200).map(|k| at(k).distance(at(k + 1))).sum()
+                };
+                for two in parameters.windows(2) {
+                    let piece = fine(two[0], two[1]);
+                    assert!((8.0 * piece / length.total() - 1.0).abs() < 1e-4, "{piece}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn matched_nodes_of_the_wall_are_where_the_empty_circles_touch() {
+        let params = Params {
+            cells: CellCounts::PerBlock(6),
+            matching: NodeMatching::EmptyCircle,
+        };
+        let mesh = crate::mesh(&three_holes(), &params).unwrap();
+        for (block, grid) in mesh.blocks() {
+            let wall = mesh.blocking().wall_of(block);
+            for j in 0..=6 {
+                let (node, on_wall) = (grid.node(0, j), grid.node(6, j));
+                assert!((node.distance(on_wall) - wall.distance(node)).abs() < 1e-13);
+            }
+        }
+    }
+
+    #[test]
+    fn equally_spaced_nodes_of_the_wall_have_equal_chords() {
+        let mesh = crate::mesh(&three_holes(), &Params::default()).unwrap();
+        for (block, grid) in mesh.blocks() {
+            if mesh.leaning_arcs().contains(&block.arc) {
+                continue;
+            }
+            let chord = |j| grid.node(16, j).distance(grid.node(16, j + 1));
+            assert!((0..16).all(|j| (chord(j) - chord(0)).abs() < 1e-12));
+        }
+    }
+
+    #[test]
+    fn a_cell_round_half_a_wall_is_refused() {
+        let params = Params {
+            cells: CellCounts::PerBlock(1),
+            ..Params::default()
+        };
+        let hole = crate::Circle::new(DVec2::new(0.5, 0.0), 0.01);
+        let large = crate::Circle::new(DVec2::new(-0.4, 0.0), 0.5);
+        let outer = crate::Circle::new(DVec2::ZERO, 1.0);
+        let domain = crate::Domain::in_circle(outer, &[hole, large]).unwrap();
+        assert!(matches!(
+            crate::mesh(&domain, &params),
+            Err(BlockingError::TooFewCells { cells: 1, .. })
+        ));
+    }
+
+    #[test]
+    fn an_arc_without_length_is_meshed_with_empty_cells() {
+        let mesh = crate::mesh(&four_co_circular_holes(), &Params::default()).unwrap();
+        let thin: Vec<ArcId> = mesh.blocking().thin_arcs(COLLAPSED).collect();
+        assert_eq!(thin.len(), 1);
+        for (_, grid) in mesh.blocks().filter(|(block, _)| block.arc == thin[0]) {
+            for [a, b, c, d] in grid.cells() {
+                assert!((c - a).perp_dot(d - b).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn an_angle_is_brought_next_to_its_sweep() {
+        for (angle, sweep, expected) in [
+            (0.5, 1.0, 0.5),
+            (0.5, -6.0, 0.5 - 2.0 * PI),
+            (-3.0, 6.0, 2.0 * PI - 3.0),
+        ] {
+            assert!((near(angle, sweep) - expected).abs() < 1e-15);
+        }
+        assert_eq!(Blocking::of(&one_hole()).unwrap().arcs().len(), 4);
+    }
 }

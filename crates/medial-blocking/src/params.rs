@@ -12,13 +12,14 @@ pub const MAX_CELLS: u64 = 1 << 28;
 
 /// How many cells each block has.
 ///
-/// Counts along an arc are shared by the two blocks on its sides, counts across by all blocks round one wall, so shared curves always have
-/// the same nodes.
+/// Counts along an arc are shared by the two blocks on its sides, counts across by all blocks round
+/// one wall, so shared curves always have the same nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CellCounts {
     /// The same number of cells along and across in every block.
     PerBlock(u32),
-    /// As many cells as keep every edge of a bounding curve at most this long, in units of the domain.
+    /// As many cells as keep every edge of a bounding curve at most this long, in units of the
+    /// domain.
     Size(f64),
     /// Chosen by the caller for every arc and every wall.
     Each {
@@ -34,11 +35,13 @@ pub enum CellCounts {
 pub enum NodeMatching {
     /// Equal spacing along arc and wall, matched by number (§3, §5).
     ///
-    /// Where that would fold a strip of cells, the nodes of that one arc lean towards the touching points, just far enough: a departure from the
-    /// paper, which claims that folding cannot happen. [`crate::BlockMesh::leaning_arcs`] lists them.
+    /// Where that would fold a strip of cells, the nodes of that one arc lean towards the touching
+    /// points, just far enough: a departure from the paper, which claims that folding cannot
+    /// happen. [`crate::BlockMesh::leaning_arcs`] lists them.
     #[default]
     EqualSpacing,
-    /// Equal spacing along the arc, each node matched with the point where its empty circle touches the wall (§6).
+    /// Equal spacing along the arc, each node matched with the point where its empty circle touches
+    /// the wall (§6).
     EmptyCircle,
 }
 
@@ -163,5 +166,63 @@ fn expect_length(what: &'static str, given: usize, expected: usize) -> Result<()
             given,
             expected,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::BlockSide;
+    use crate::example_domains::{one_hole, three_holes, two_periodic_holes};
+
+    #[test]
+    fn by_size_every_edge_along_the_curves_is_at_most_that_long() {
+        for domain in [one_hole(), three_holes(), two_periodic_holes()] {
+            for size in [0.03, 0.1, 0.5] {
+                let params = Params {
+                    cells: CellCounts::Size(size),
+                    ..Params::default()
+                };
+                let mesh = crate::mesh(&domain, &params).unwrap();
+                for grid in mesh.grids() {
+                    let (across, along) = (grid.cells_across(), grid.cells_along());
+                    for j in 0..along {
+                        let edge = grid.node(0, j).distance(grid.node(0, j + 1));
+                        assert!(edge <= size * (1.0 + 1e-9), "{edge} {size}");
+                    }
+                    for (i, j) in (0..across).flat_map(|i| [(i, 0), (i, along)]) {
+                        assert!(
+                            grid.node(i, j).distance(grid.node(i + 1, j)) <= size * (1.0 + 1e-9)
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn by_size_no_cell_spans_more_than_a_quarter_turn() {
+        let blocking = Blocking::of(&one_hole()).unwrap();
+        let counts = Counts::of(&blocking, &CellCounts::Size(1e6)).unwrap();
+        for block in blocking.block_ids() {
+            let along = counts.along_arc[blocking.block(block).arc.index()];
+            assert!(
+                blocking.wall_sweep(block).abs() <= FRAC_PI_2 * f64::from(along) * (1.0 + 1e-12)
+            );
+            assert!(blocking.curve(block, BlockSide::Xi1, 0.5).is_finite());
+        }
+    }
+
+    #[test]
+    fn counts_must_fit_the_blocking() {
+        let blocking = Blocking::of(&three_holes()).unwrap();
+        let each = |arcs: usize, walls: usize| CellCounts::Each {
+            along_arc: vec![4; arcs],
+            across_wall: vec![4; walls],
+        };
+        assert!(Counts::of(&blocking, &each(6, 4)).is_ok());
+        for (arcs, walls) in [(5, 4), (7, 4), (6, 3), (6, 5), (0, 0)] {
+            assert!(Counts::of(&blocking, &each(arcs, walls)).is_err());
+        }
     }
 }

@@ -1,9 +1,10 @@
 //! Samples the walls until the triangulation has the topology of the medial axis.
 //!
-//! Two things can be wrong with a sampling, and each tells where to sample more:
-//! pieces of wall that are no side of the triangulation, and interior triangles whose tangent circle is not empty, because
-//! four walls are nearly co-circular and the samples chose the wrong diagonal. The first are halved; to the second are added the
-//! points where the circle touches its walls and the nearest point of the wall that intrudes, which together rule the triangle out.
+//! Two things can be wrong with a sampling, and each tells where to sample more: pieces of wall
+//! that are no side of the triangulation, and interior triangles whose tangent circle is not empty,
+//! because four walls are nearly co-circular and the samples chose the wrong diagonal. The first
+//! are halved; to the second are added the points where the circle touches its walls and the
+//! nearest point of the wall that intrudes, which together rule the triangle out.
 
 use glam::DVec2;
 
@@ -18,13 +19,19 @@ use crate::tangent_circle::{inward, tangent_circle};
 use crate::triangulation::{DomainTriangulation, TooCoarse, TriangleId, wall_image};
 use crate::wall::{Wall, WallId};
 
-/// Rounds of sampling; each halves the pieces at fault, so doubles are used up before the rounds are.
+/// Rounds of sampling; each halves the pieces at fault, so doubles are used up before the rounds
+/// are.
 const MAX_ROUNDS: usize = 60;
 
-/// A wall that reaches this deep into a tangent circle, relative to its radius, is touching it: such vertices are co-circular.
+/// A wall that reaches this deep into a tangent circle, relative to its radius, is touching it:
+/// such vertices are co-circular.
 const COCIRCULAR: f64 = 1e-9;
 
-/// Samples, the triangulation of the domain, and the exact medial vertex of every interior triangle in the triangulation's order.
+/// Samples of a domain of size about 1 do not tell apart circles that differ by less: 2^-46.
+const ROUNDING: f64 = 1.0 / (1u64 << 46) as f64;
+
+/// Samples, the triangulation of the domain, and the exact medial vertex of every interior triangle
+/// in the triangulation's order.
 pub(crate) struct Resolved {
     pub(crate) samples: Samples,
     pub(crate) triangulation: DomainTriangulation,
@@ -37,6 +44,11 @@ type Refinement = Vec<(WallId, DVec2)>;
 impl Resolved {
     /// Samples `domain` until every piece of wall is a side and every tangent circle is empty.
     pub(crate) fn of(domain: &Domain, report: &mut Report<'_>) -> Result<Self, BlockingError> {
+        let (unit, size) = domain.at_unit_size();
+        Ok(Self::at_unit_size(&unit, report)?.scaled(size))
+    }
+
+    fn at_unit_size(domain: &Domain, report: &mut Report<'_>) -> Result<Self, BlockingError> {
         let clearance = Clearance::new(domain);
         let mut samples = Samples::by_local_gap(domain, &clearance, report)?;
         for _ in 0..MAX_ROUNDS {
@@ -63,6 +75,19 @@ impl Resolved {
             samples = samples.with(domain, &refinement)?;
         }
         Err(BlockingError::Unresolved)
+    }
+
+    fn scaled(self, size: f64) -> Self {
+        let vertices = self.vertices.into_iter().map(|vertex| MedialVertex {
+            center: vertex.center * size,
+            clearance: vertex.clearance * size,
+            ..vertex
+        });
+        Self {
+            samples: self.samples.scaled(size),
+            triangulation: self.triangulation,
+            vertices: vertices.collect(),
+        }
     }
 }
 
@@ -93,7 +118,8 @@ fn medial_vertices(
     }
 }
 
-/// The circle that touches the three walls of a triangle's corners, if no other wall reaches into it.
+/// The circle that touches the three walls of a triangle's corners, if no other wall reaches into
+/// it.
 fn medial_vertex(
     axis: &SampledAxis<'_>,
     clearance: &Clearance<'_>,
@@ -115,7 +141,7 @@ fn medial_vertex(
         .map(|(&image, wall)| Touch::of(image, wall, circle.center))
         .collect();
     match clearance.nearest(circle.center, |image| !images.contains(&image)) {
-        Some(near) if near.distance < circle.radius * (1.0 - COCIRCULAR) => {
+        Some(near) if near.distance < circle.radius * (1.0 - COCIRCULAR) - ROUNDING => {
             let mut more: Refinement = touches
                 .iter()
                 .map(|touch| (touch.image.wall, touch.direction))
@@ -156,4 +182,39 @@ fn pieces_at(axis: &SampledAxis<'_>, triangle: TriangleId) -> Refinement {
             .flat_map(|&sample| [samples.previous(sample), sample])
             .collect(),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use delaunay_core::progress::silent;
+
+    use super::*;
+    use crate::example_domains::{four_co_circular_holes, three_holes, two_periodic_holes};
+
+    #[test]
+    fn the_circle_of_every_vertex_touches_its_three_walls_and_holds_no_other() {
+        for domain in [
+            three_holes(),
+            two_periodic_holes(),
+            four_co_circular_holes(),
+        ] {
+            let resolved = Resolved::of(&domain, &mut silent).unwrap();
+            let clearance = Clearance::new(&domain);
+            for vertex in &resolved.vertices {
+                for touch in &vertex.touches {
+                    let distance = domain.wall_image(touch.image).distance(vertex.center);
+                    assert!((distance - vertex.clearance).abs() < 1e-14);
+                }
+                let nearest = clearance.nearest(vertex.center, |_| true).unwrap();
+                assert!(nearest.distance >= vertex.clearance - 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn co_circular_holes_share_their_vertex() {
+        let resolved = Resolved::of(&four_co_circular_holes(), &mut silent).unwrap();
+        let middle = |vertex: &&MedialVertex| vertex.center.length() < 1e-12;
+        assert_eq!(resolved.vertices.iter().filter(middle).count(), 2);
+    }
 }

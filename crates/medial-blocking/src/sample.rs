@@ -1,9 +1,11 @@
 //! Boundary samples dense enough that their Delaunay triangulation represents the domain (§2).
 //!
-//! The triangulation contains every piece of wall between neighbouring samples once the disk over the piece holds no sample of another
-//! wall, so the spacing follows the *local gap*: a piece is halved until it is shorter than [`PIECE_PER_GAP`] times
-//! the distance from it to the nearest other wall. Wide water costs sixteen samples per circle, a gap g between circles of radius r
-//! about √(r/g) more. Pieces are halved by normalising the sum of two directions: no sine or cosine, the same bits on every machine.
+//! The triangulation contains every piece of wall between neighbouring samples once the disk over
+//! the piece holds no sample of another wall, so the spacing follows the *local gap*: a piece is
+//! halved until it is shorter than [`PIECE_PER_GAP`] times the distance from it to the nearest
+//! other wall. Wide water costs sixteen samples per circle, a gap g between circles of radius r
+//! about √(r/g) more. Pieces are halved by normalising the sum of two directions: no sine or
+//! cosine, the same bits on every machine.
 
 use delaunay_core::progress::Meter;
 use glam::DVec2;
@@ -14,11 +16,19 @@ use crate::domain::Domain;
 use crate::error::BlockingError;
 use crate::wall::{Shift, WallId, WallImage};
 
-/// Longest piece of wall between neighbouring samples, in units of the distance from the piece to the nearest other wall.
+/// Longest piece of wall between neighbouring samples, in units of the distance from the piece to
+/// the nearest other wall.
 pub const PIECE_PER_GAP: f64 = 0.5;
 
 /// Most samples of a domain: with their images in a periodic one they still have 32-bit ids.
 pub const MAX_SAMPLES: usize = 1 << 26;
+
+/// Samples nearer than this, in radii, are one: rounding would not leave them in convex position,
+/// and either stands for the other to a depth of 2^-51 radii.
+const CLOSEST: f64 = 1.0 / (1u64 << 25) as f64;
+
+/// A coordinate below this is zero, in a domain of size about 1: 2^-100.
+const DUST: f64 = 1.0 / (1u128 << 100) as f64;
 
 /// Arc over chord of a sixteenth of a circle is 1.0065: this bounds it.
 const ARC_PER_CHORD: f64 = 1.01;
@@ -67,6 +77,8 @@ impl Samples {
     }
 
     /// These samples and `extra` ones: unit directions from the centres of the walls named.
+    ///
+    /// A sample almost at the place of another is left out.
     pub(crate) fn with(
         &self,
         domain: &Domain,
@@ -82,7 +94,7 @@ impl Samples {
         let mut samples = Self::empty();
         for (wall, mut directions) in domain.wall_ids().zip(by_wall) {
             directions.sort_by(|a, b| pseudo_angle(*a).total_cmp(&pseudo_angle(*b)));
-            directions.dedup();
+            directions.dedup_by(|next, kept| next.distance(*kept) < CLOSEST);
             samples.push_wall(domain, wall, &directions)?;
         }
         Ok(samples)
@@ -107,14 +119,20 @@ impl Samples {
             return Err(BlockingError::TooManySamples { limit: MAX_SAMPLES });
         }
         self.directions.extend(directions);
-        self.points.extend(
-            directions
-                .iter()
-                .map(|&direction| domain.snap(domain.wall(wall).point_towards(direction))),
-        );
+        let point = |&direction| domain.snap(domain.wall(wall).point_towards(direction));
+        self.points
+            .extend(directions.iter().map(point).map(without_dust));
         self.wall_of.resize(self.points.len(), wall);
         self.first.push(self.points.len() as u32);
         Ok(())
+    }
+
+    /// The same samples with all lengths multiplied by `size`.
+    pub(crate) fn scaled(mut self, size: f64) -> Self {
+        for point in &mut self.points {
+            *point *= size;
+        }
+        self
     }
 
     /// Number of samples.
@@ -245,7 +263,8 @@ impl Piece<'_> {
         self.halve(&near, MAX_HALVINGS, directions);
     }
 
-    /// Halves the piece until each part is short; `near` holds every wall that can be nearest to a part.
+    /// Halves the piece until each part is short; `near` holds every wall that can be nearest to a
+    /// part.
     fn halve(&self, near: &[NearWall], halvings: u32, directions: &mut Vec<DVec2>) {
         let middle = self.middle_point();
         let near: Vec<NearWall> = near
@@ -281,7 +300,8 @@ impl Piece<'_> {
         .halve(&near, halvings - 1, directions);
     }
 
-    /// Whether the piece is short enough when its middle has the distance `gap` to the nearest other wall.
+    /// Whether the piece is short enough when its middle has the distance `gap` to the nearest
+    /// other wall.
     fn is_short(&self, gap: f64) -> bool {
         let length = self.length();
         length <= PIECE_PER_GAP * (gap - length / 2.0)
@@ -308,6 +328,11 @@ impl Piece<'_> {
 /// The unit vector halfway between two unit vectors less than half a turn apart.
 fn halfway(a: DVec2, b: DVec2) -> DVec2 {
     (a + b).normalize_or(a)
+}
+
+/// `p` with coordinates that are nothing but rounding put to zero, below the range of the predicates.
+fn without_dust(p: DVec2) -> DVec2 {
+    DVec2::select(p.abs().cmpge(DVec2::splat(DUST)), p, DVec2::ZERO)
 }
 
 /// Grows with the angle of a unit vector, from 0 at the x-axis to 4 after a full turn.

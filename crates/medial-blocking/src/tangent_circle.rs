@@ -1,8 +1,10 @@
 //! The circle that touches three walls: a vertex of the medial axis.
 //!
-//! The paper takes the circumcentre of an interior triangle, which is off by the square of the sample spacing. Departs from Guoy & Erickson §2: the
-//! circumcentre is only the start of Newton's method on the three equations *distance to wall = radius*, so that vertices, touching points and with them
-//! the right angles at the walls and the Angle Lemma hold to rounding and not just to sampling error.
+//! The paper takes the circumcentre of an interior triangle, which is off by the square of the
+//! sample spacing. Departs from Guoy & Erickson §2: the circumcentre is only the start of Newton's
+//! method on the three equations *distance to wall = radius*, so that vertices, touching points and
+//! with them the right angles at the walls and the Angle Lemma hold to rounding and not just to
+//! sampling error.
 
 use glam::{DMat2, DVec2};
 
@@ -11,10 +13,12 @@ use crate::wall::{Circle, Wall};
 /// Steps allowed: from a circumcentre four or five suffice.
 const MAX_STEPS: usize = 60;
 
-/// Largest accepted difference between the three distances, relative to the largest coordinate or radius.
+/// Largest accepted difference between the three distances, relative to the largest coordinate or
+/// radius.
 const TOLERANCE: f64 = 1e-13;
 
-/// The circle near `start` that touches all three walls from inside the domain; `None` if Newton's method does not settle.
+/// The circle near `start` that touches all three walls from inside the domain; `None` if Newton's
+/// method does not settle.
 pub(crate) fn tangent_circle(walls: &[Wall; 3], start: DVec2) -> Option<Circle> {
     let scale = walls
         .iter()

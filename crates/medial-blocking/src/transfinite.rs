@@ -1,15 +1,18 @@
 //! Transfinite interpolation: the grid inside four curves (§3).
 //!
 //! ```text
-//! x(ξ, η) = (1 − ξ) ξ0(η) + ξ ξ1(η) + (1 − η) η0(ξ) + η η1(ξ) − the bilinear surface through the corners
+//! x(ξ, η) = (1 − ξ) ξ0(η) + ξ ξ1(η) + (1 − η) η0(ξ) + η η1(ξ)
+//!           − the bilinear surface through the corners
 //! ```
 //!
-//! Where the η-curves are straight with equally spaced nodes, as in Algorithm 2, the last three terms cancel and grid lines of constant η are
-//! straight too: then the grid folds only if a strip between two of them does.
+//! Where the η-curves are straight with equally spaced nodes, as in Algorithm 2, the last three
+//! terms cancel and grid lines of constant η are straight too: then the grid folds only if a strip
+//! between two of them does.
 
 use glam::DVec2;
 
-/// Nodes along the four curves of a block; opposite curves have the same number of nodes and the ends meet.
+/// Nodes along the four curves of a block; opposite curves have the same number of nodes and the
+/// ends meet.
 #[derive(Clone, Copy, Debug)]
 pub struct BoundaryNodes<'a> {
     /// At ξ = 0, by η.
@@ -22,7 +25,8 @@ pub struct BoundaryNodes<'a> {
     pub eta1: &'a [DVec2],
 }
 
-/// The nodes of the grid inside four curves, ξ fastest: node (i, j) is entry `j (cells across + 1) + i`.
+/// The nodes of the grid inside four curves, ξ fastest: node (i, j) is entry `j (cells across + 1)
+/// + i`.
 ///
 /// Boundary nodes are the given ones, bit for bit. O(nodes).
 #[must_use]

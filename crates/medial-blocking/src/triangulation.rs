@@ -1,11 +1,15 @@
-//! The Delaunay triangulation of the domain (§2): the triangles of the samples' triangulation that lie inside the domain.
+//! The Delaunay triangulation of the domain (§2): the triangles of the samples' triangulation that
+//! lie inside the domain.
 //!
-//! A triangle lies outside exactly when its three corners lie on one wall. Of the others, *boundary triangles* have one edge on a wall and
-//! *interior triangles* none. A side is on the boundary when its ends lie on the same wall; the paper's sampling assumption, that such ends are
-//! always neighbours and that every piece of wall is a side, is checked, and where it fails the caller learns which pieces to halve.
+//! A triangle lies outside exactly when its three corners lie on one wall. Of the others, *boundary
+//! triangles* have one edge on a wall and *interior triangles* none. A side is on the boundary when
+//! its ends lie on the same wall; the paper's sampling assumption, that such ends are always
+//! neighbours and that every piece of wall is a side, is checked, and where it fails the caller
+//! learns which pieces to halve.
 //!
-//! In a periodic domain the triangulation is that of the infinite tiling, each class of triangles once: every corner carries the
-//! periods by which its sample is moved, and so does the step across a side.
+//! In a periodic domain the triangulation is that of the infinite tiling, each class of triangles
+//! once: every corner carries the periods by which its sample is moved, and so does the step across
+//! a side.
 
 use glam::DVec2;
 
@@ -28,7 +32,8 @@ impl TriangleId {
     }
 }
 
-/// A side of a triangle, directed counterclockwise round it: side `k` runs from corner `k` to corner `k + 1`.
+/// A side of a triangle, directed counterclockwise round it: side `k` runs from corner `k` to
+/// corner `k + 1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct SideId {
     /// The triangle on the left.
@@ -120,7 +125,8 @@ pub struct DomainTriangulation {
     triangles: Vec<Triangle>,
 }
 
-/// Pieces of wall, each named by the sample at its clockwise end, that are too long for the triangulation to represent the domain.
+/// Pieces of wall, each named by the sample at its clockwise end, that are too long for the
+/// triangulation to represent the domain.
 pub(crate) struct TooCoarse(pub(crate) Vec<SampleId>);
 
 impl DomainTriangulation {
@@ -241,7 +247,8 @@ impl DomainTriangulation {
         a == b
     }
 
-    /// Pieces of wall that are no side, and pieces next to triangles that a good sampling does not have.
+    /// Pieces of wall that are no side, and pieces next to triangles that a good sampling does not
+    /// have.
     fn coarse_pieces(&self, samples: &Samples) -> Vec<SampleId> {
         let mut is_side = vec![false; samples.len()];
         let mut coarse = Vec::new();
@@ -287,13 +294,84 @@ fn on_one_wall(samples: &Samples, corners: [Corner; 3]) -> bool {
     a == b && b == c
 }
 
-/// The two ends of a side moved so that the end with the smaller key is at home, the same from both triangles.
+/// The two ends of a side moved so that the end with the smaller key is at home, the same from both
+/// triangles.
 type SideKey = [(SampleId, [i32; 2]); 2];
 
 /// The key of a side and the periods by which the key must be moved to lie where the side does.
 fn side_key([a, b]: [Corner; 2]) -> (SideKey, Shift) {
-    // Both ends can be images of one sample: then the smaller shift decides, which moves with the side.
+    // Both ends can be images of one sample: then the smaller shift decides, which moves with the
+    // side.
     let (low, high) = if a.key() < b.key() { (a, b) } else { (b, a) };
     let home = low.shift;
     ([low.moved(-home).key(), high.moved(-home).key()], home)
+}
+
+#[cfg(test)]
+mod tests {
+    use delaunay_core::geo_predicates::orient2d;
+
+    use super::*;
+    use crate::Blocking;
+    use crate::example_domains::{three_holes, two_periodic_holes};
+
+    fn each_domain(look: impl Fn(&Blocking)) {
+        for domain in [three_holes(), two_periodic_holes()] {
+            look(&Blocking::of(&domain).unwrap());
+        }
+    }
+
+    #[test]
+    fn triangles_are_counterclockwise_and_have_at_most_one_side_on_a_wall() {
+        each_domain(|blocking| {
+            let axis = blocking.sampled_axis();
+            for triangle in axis.triangulation.triangles() {
+                let [a, b, c] = triangle.corners.map(|corner| axis.point(corner));
+                assert!(orient2d(a, b, c).is_positive());
+                assert!(triangle.wall_sides() <= 1);
+            }
+        });
+    }
+
+    #[test]
+    fn every_piece_of_wall_is_the_side_of_one_triangle() {
+        each_domain(|blocking| {
+            let axis = blocking.sampled_axis();
+            let sides = axis.triangulation.triangles();
+            let count: usize = sides.iter().map(Triangle::wall_sides).sum();
+            assert_eq!(count, axis.samples.len());
+        });
+    }
+
+    #[test]
+    fn a_side_is_seen_the_same_from_both_its_triangles() {
+        each_domain(|blocking| {
+            let triangulation = blocking.sampled_axis().triangulation;
+            for triangle in triangulation.ids() {
+                for side in (0..3).map(|side| SideId { triangle, side }) {
+                    let Across::Triangle { side: twin, shift } = triangulation.across(side) else {
+                        continue;
+                    };
+                    let back = Across::Triangle {
+                        side,
+                        shift: -shift,
+                    };
+                    assert_eq!(triangulation.across(twin), back);
+                    let [a, b] = triangulation.ends(side);
+                    let [c, d] = triangulation.ends(twin).map(|corner| corner.moved(shift));
+                    assert_eq!((a, b), (d, c));
+                }
+            }
+        });
+    }
+
+    /// Euler's formula: a disk with h holes triangulated with s vertices on its walls has s + 2 (h
+    /// − 1) triangles.
+    #[test]
+    fn the_number_of_triangles_is_that_of_the_domain() {
+        let blocking = Blocking::of(&three_holes()).unwrap();
+        let axis = blocking.sampled_axis();
+        assert_eq!(axis.triangulation.triangles().len(), axis.samples.len() + 4);
+        assert_eq!(axis.triangulation.interior().count(), 4);
+    }
 }

@@ -1,7 +1,8 @@
 //! What is wrong with circles that should make a domain: all defects, found once, at the door.
 //!
-//! Two walls count as touching when their gap is below [`RESOLVED_GAP`] of the smaller radius, or below 2^-36 of the largest
-//! coordinate: closer than that the circles' own rounding decides what the gap looks like.
+//! Two walls count as touching when their gap is below [`RESOLVED_GAP`] of the smaller radius, or
+//! below 2^-36 of the largest coordinate: closer than that the circles' own rounding decides what
+//! the gap looks like.
 
 use glam::DVec2;
 use rstar::primitives::{GeomWithData, Rectangle};
@@ -17,7 +18,8 @@ pub const RESOLVED_GAP: f64 = 1e-7;
 /// The same bound as a fraction of the largest coordinate of the domain, 2^-36.
 const RESOLVED_COORDINATE: f64 = 1.0 / (1u64 << 36) as f64;
 
-/// Most pairs of overlapping circles that an error lists: input of many equal circles has a quadratic number of them.
+/// Most pairs of overlapping circles that an error lists: input of many equal circles has a
+/// quadratic number of them.
 pub const MAX_LISTED_DEFECTS: usize = 10_000;
 
 impl Domain {
@@ -29,14 +31,14 @@ impl Domain {
         }
         for (id, wall) in self.wall_ids().zip(self.walls()) {
             let Circle { center, radius } = wall.circle;
-            for axis in (0..2).filter(|&axis| !usable(center[axis])) {
+            for axis in (0..2).filter(|&axis| !usable_coordinate(center[axis])) {
                 defects.push(Defect::Center {
                     wall: self.name(id),
                     axis: ['x', 'y'][axis],
                     value: center[axis],
                 });
             }
-            if !(usable(radius) && radius > 0.0) {
+            if !usable_length(radius) {
                 defects.push(Defect::Radius {
                     wall: self.name(id),
                     radius,
@@ -143,18 +145,18 @@ impl Domain {
 
     /// A gap below this cannot be told from rounding.
     fn rounding(&self) -> f64 {
-        let largest = self
-            .walls()
-            .iter()
-            .map(|wall| wall.circle.center.abs().max_element() + wall.circle.radius)
-            .fold(0.0, f64::max);
-        largest * RESOLVED_COORDINATE
+        self.largest_number() * RESOLVED_COORDINATE
     }
 }
 
-/// Whether `x` is finite and of a size that squares and differences survive: zero or 2^-142 to 2^201.
-pub(crate) fn usable(x: f64) -> bool {
-    x == 0.0 || (2f64.powi(-142)..=2f64.powi(201)).contains(&x.abs())
+/// Whether `x` is finite and at most 2^201.
+fn usable_coordinate(x: f64) -> bool {
+    x.abs() <= 2f64.powi(201)
+}
+
+/// Whether `x` is positive and of a size that squares survive: 2^-142 to 2^201.
+pub(crate) fn usable_length(x: f64) -> bool {
+    (2f64.powi(-142)..=2f64.powi(201)).contains(&x)
 }
 
 fn smallest_gap(r1: f64, r2: f64, rounding: f64) -> f64 {

@@ -1,4 +1,5 @@
-//! Circles, and walls made of them: which side of a circle is domain, and how a wall is named and moved.
+//! Circles, and walls made of them: which side of a circle is domain, and how a wall is named and
+//! moved.
 
 use std::fmt;
 
@@ -80,7 +81,8 @@ impl Wall {
         self.point_towards(DVec2::from_angle(angle))
     }
 
-    /// +1 if the wall is traversed counterclockwise with the domain on its left, as the bounding circle is; −1 for holes.
+    /// +1 if the wall is traversed counterclockwise with the domain on its left, as the bounding
+    /// circle is; −1 for holes.
     #[must_use]
     pub const fn turn(&self) -> f64 {
         match self.kind {

@@ -1,4 +1,5 @@
-//! Domains that are hard on purpose: co-circular holes, near-tangent gaps, one hole, extreme sizes and scales.
+//! Domains that are hard on purpose: co-circular holes, near-tangent gaps, one hole, extreme sizes
+//! and scales.
 
 use glam::DVec2;
 use medial_blocking::{
@@ -64,7 +65,8 @@ fn co_circular_holes_leave_thin_blocks_and_nothing_folds() {
         let domain = Domain::in_circle(circle(0.0, 0.0, 2.0), &holes).unwrap();
         let mesh = mesh(&domain, &params(6)).unwrap();
         assert_eq!(mesh.blocking().blocks().len(), 6 * (n as usize - 1));
-        // n − 2 interior triangles share the circle in the middle: n − 3 arcs between them have no length.
+        // n − 2 interior triangles share the circle in the middle: n − 3 arcs between them have no
+        // length.
         assert_eq!(
             mesh.blocking().thin_arcs(1e-6).count(),
             n as usize - 3,

@@ -85,7 +85,8 @@ proptest! {
             for j in [0, 4] {
                 let (ray, radius) = (grid.node(4, j) - grid.node(0, j), grid.node(4, j) - wall.circle.center);
                 let sine = ray.perp_dot(radius) / (ray.length() * radius.length());
-                // What is left is the rounding of the ray's ends, so it counts against the ray's length.
+                // What is left is the rounding of the ray's ends, so it counts against the ray's
+                // length.
                 prop_assert!(sine.abs() * ray.length() < 1e-12, "{sine:e} over {}", ray.length());
             }
         }
@@ -108,8 +109,9 @@ proptest! {
         }
     }
 
-    /// Lemma 1. The angle between arc and η-curve at an interior corner is half the angle that the arc's two touching
-    /// points make at the medial vertex, and so the angle of the interior triangle opposite them.
+    /// Lemma 1. The angle between arc and η-curve at an interior corner is half the angle that the
+    /// arc's two touching points make at the medial vertex, and so the angle of the interior
+    /// triangle opposite them.
     #[test]
     fn interior_corner_angles_equal_the_triangle_angles(domain in Domains::any()) {
         let blocking = Blocking::of(&domain).unwrap();
