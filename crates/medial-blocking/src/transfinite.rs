@@ -25,8 +25,8 @@ pub struct BoundaryNodes<'a> {
     pub eta1: &'a [DVec2],
 }
 
-/// The nodes of the grid inside four curves, ξ fastest: node (i, j) is entry `j (cells across + 1)
-/// + i`.
+/// The nodes of the grid inside four curves, ξ fastest:
+/// node (i, j) is entry `j (cells across + 1) + i`.
 ///
 /// Boundary nodes are the given ones, bit for bit. O(nodes).
 #[must_use]
