@@ -1,8 +1,8 @@
 //! The curve of centres that are equally far from two walls, in closed form.
 //!
-//! Seen from the centre of a hole, the bisector with another wall has the polar form `1 / t = A · d
-//! − B` with `d` the unit direction: a branch of a hyperbola against a hole, an ellipse against the
-//! bounding circle. The medial arcs are pieces of such curves.
+//! Seen from the centre of a hole, the bisector with another wall has the polar form
+//! `1 / t = A · d − B` with `d` the unit direction: a branch of a hyperbola against a hole, an
+//! ellipse against the bounding circle. The medial arcs are pieces of such curves.
 
 use glam::DVec2;
 

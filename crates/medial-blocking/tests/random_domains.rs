@@ -157,7 +157,7 @@ fn look_at(seed: u64) -> Result<(), String> {
 
 #[test]
 fn every_family_keeps_every_promise() {
-    let cases = std::env::var("MEDIAL_BLOCKING_CASES").map_or(600, |cases| cases.parse().unwrap());
+    let cases = std::env::var("MEDIAL_BLOCKING_CASES").map_or(120, |cases| cases.parse().unwrap());
     let first: u64 =
         std::env::var("MEDIAL_BLOCKING_FIRST").map_or(0, |first| first.parse().unwrap());
     let broken: Vec<String> = (first..first + cases)
