@@ -42,6 +42,8 @@ impl TriMesh {
     }
 
     /// Whether `v` is a corner of a ghost face: a vertex on the border of the convex hull.
+    ///
+    /// Takes time proportional to the degree of `v`.
     #[must_use]
     pub fn is_on_hull(&self, v: VertexId) -> bool {
         self.neighbors(v).any(VertexId::is_ghost)

@@ -87,6 +87,9 @@ impl Delaunay2 {
     }
 
     /// Whether `f` is a ghost face: it stands on a hull edge and has no area.
+    ///
+    /// # Panics
+    /// When there is no face `f`.
     #[must_use]
     pub fn is_ghost_face(&self, f: FaceId) -> bool {
         self.mesh.is_ghost_face(f)

@@ -34,6 +34,8 @@ impl Delaunay2 {
     /// ones; all other faces keep their ids, so data beside the mesh need an update there only.
     ///
     /// Expected time n^(1/3) to locate, then the size of the cavity, six on average in random order.
+    /// The cavity may be all n faces in a hostile order, say points of a line and of a parabola in turn;
+    /// [`build`](Self::build) brings them in random order.
     ///
     /// # Errors
     /// [`InsertError`] when a coordinate of `p` is not accepted or the ids are used up; nothing has

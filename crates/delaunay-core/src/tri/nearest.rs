@@ -13,7 +13,8 @@ impl Delaunay2 {
     /// The nearest vertex is one that `p` would have as a neighbour, so it is on the rim of the cavity
     /// of `p`, which is found exactly. Rounding enters only when the distances of those few are
     /// compared: the answer is nearest up to a relative 1e-15; of equal distances the smallest id wins.
-    /// Takes the time of [`locate`](Self::locate) and the size of the cavity.
+    /// Takes the time of [`locate`](Self::locate) and the size of the cavity, which is small where vertices
+    /// are evenly spread and may be all faces at the center of a circle of vertices or far outside.
     ///
     /// # Errors
     /// [`CoordinateError`] when a coordinate of `p` is not accepted.
