@@ -27,7 +27,7 @@ impl Circle {
 pub struct WallId(pub(crate) u32);
 
 impl WallId {
-    /// Position in [`Domain::walls`].
+    /// Position in [`crate::Domain::walls`].
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize

@@ -26,7 +26,8 @@ pub fn domain_of(circles: &CirclesDomain) -> Result<Domain, DomainError> {
     }
 }
 
-/// The blocks of a block mesh as plain structured blocks: `i` runs with ξ from the medial arc to the wall, `j` with η along the arc.
+/// The blocks of a block mesh as plain structured blocks: `i` runs with ξ from the medial arc to
+/// the wall, `j` with η along the arc.
 ///
 /// Blocks are named `block_0`, `block_1`, …, patches `hole_0`, … and `bounding`. O(nodes).
 #[must_use]

@@ -1,4 +1,5 @@
-//! Every Sphère Vide crate behind one dependency, the conversions between them, and the `vide` program.
+//! Every Sphère Vide crate behind one dependency, the conversions between them, and the `vide`
+//! program.
 //!
 //! ```
 //! use vide::{convert, medial_blocking, mesh_io};

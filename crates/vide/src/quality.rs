@@ -37,9 +37,11 @@ impl Measured {
     }
 }
 
-/// Every measure of every triangle, quad and tetrahedron of a mesh, by name; other cells are not measured.
+/// Every measure of every triangle, quad and tetrahedron of a mesh, by name; other cells are not
+/// measured.
 ///
-/// A quad in space is measured in the plane through its middle, seen from the side on which its corners turn counterclockwise. O(n log n).
+/// A quad in space is measured in the plane through its middle, seen from the side on which its
+/// corners turn counterclockwise. O(n log n).
 #[must_use]
 pub fn measure_mesh(mesh: &Mesh) -> Vec<Measured> {
     let mut values = Values::default();
@@ -177,7 +179,8 @@ impl Values {
     }
 }
 
-/// A quad of space in coordinates of its own plane; one in the plane z = 0 keeps its coordinates, so its orientation shows.
+/// A quad of space in coordinates of its own plane; one in the plane z = 0 keeps its coordinates,
+/// so its orientation shows.
 fn flattened(corners: [DVec3; 4]) -> [DVec2; 4] {
     if corners.iter().all(|corner| corner.z == 0.0) {
         return corners.map(DVec3::truncate);

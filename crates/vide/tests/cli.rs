@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use proptest::prelude::*;
 use tempfile::TempDir;
 use vide::mesh_io::{CellKind, read_mesh};
 
@@ -20,6 +21,9 @@ radius = 0.4
 centre = [1.0, 0.1]
 radius = 0.5
 "#;
+
+/// Bytes that mean something in a domain file, and some that mean nothing.
+const SPOILT: std::ops::RangeInclusive<u8> = b' '..=b'~';
 
 const PERIODIC: &str = r#"
 [domain]
@@ -204,6 +208,13 @@ fn what_makes_no_sense_is_said_in_one_line_with_file_line_and_element() {
         "block two.toml -o out.stl",
         "block two.toml -o out.poly",
         "block two.toml -o out.vtu -o out.vtu",
+        "block two.toml -o out.vtu -o ./out.vtu",
+        "block two.toml -o out.vtu --report out.vtu",
+        "block two.toml --svg out.svg --report out.svg",
+        "block two.toml --svg two.toml",
+        "block two.toml --report ./two.toml",
+        "block missing.toml -o out.vtu",
+        "quality line.xy --report line.xy",
         "block two.toml -o nowhere/out.vtu",
         "delaunay line.xy -o out.vtu",
         "delaunay nan.xy -o out.vtu",
@@ -217,6 +228,86 @@ fn what_makes_no_sense_is_said_in_one_line_with_file_line_and_element() {
         format!("$ vide {arguments}\n{error}")
     });
     insta::assert_snapshot!(said.concat());
+}
+
+#[test]
+fn any_number_of_threads_is_as_many_as_there_are() {
+    let folder = Folder::with(&[("two.toml", TWO_HOLES)]);
+    for threads in ["1000000", "18446744073709551615"] {
+        let output = folder.vide(&["block", "two.toml", "--threads", threads]);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+    }
+}
+
+#[test]
+fn a_reader_that_has_gone_away_is_no_error() {
+    let folder = Folder::with(&[("two.toml", TWO_HOLES)]);
+    let mut child = Command::new(env!("CARGO_BIN_EXE_vide"))
+        .current_dir(folder.0.path())
+        .args(["block", "two.toml", "-o", "a.vtu"])
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .expect("the program can be started");
+    drop(child.stdout.take());
+    assert!(child.wait().expect("the program ends").success());
+    assert!(folder.path("a.vtu").exists());
+}
+
+#[test]
+fn a_result_that_cannot_be_written_leaves_what_was_there() {
+    let folder = Folder::with(&[("two.toml", TWO_HOLES), ("a.vtu", "mine"), ("b.json", "")]);
+    std::fs::create_dir(folder.path("a.svg")).expect("a folder can be made");
+    folder.error(&["block", "two.toml", "-o", "a.vtu", "--svg", "a.svg"]);
+    folder.error(&[
+        "block",
+        "two.toml",
+        "-o",
+        "a.vtu",
+        "--report",
+        "b.json/c.json",
+    ]);
+    assert_eq!(std::fs::read(folder.path("a.vtu")).unwrap(), b"mine");
+}
+
+#[test]
+fn odd_file_names_are_taken_as_they_are() {
+    let name = "zwei Löcher\u{1f573} 'x' --cells.toml";
+    let folder = Folder::with(&[(name, TWO_HOLES)]);
+    let said = folder.vide(&["block", name, "-o", "ä b.vtu", "--svg", "ä & <b>.svg"]);
+    assert!(said.status.success(), "{}", text(&said.stderr));
+    assert_eq!(quads(&folder.path("ä b.vtu")), 6 * 256);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// A file in which some bytes are others: the program says so in a line, or makes a mesh of it.
+    #[test]
+    fn no_spoiled_domain_file_makes_it_panic(
+        periodic in any::<bool>(),
+        edits in prop::collection::vec((any::<prop::sample::Index>(), SPOILT), 1..4),
+        keep in any::<prop::sample::Index>(),
+    ) {
+        let mut domain = if periodic { PERIODIC } else { TWO_HOLES }.as_bytes().to_vec();
+        for (at, byte) in edits {
+            let at = at.index(domain.len());
+            domain[at] = byte;
+        }
+        // Every second file is cut short as well.
+        let cut = keep.index(2 * domain.len());
+        domain.truncate(cut);
+        let folder = Folder::with(&[]);
+        std::fs::write(folder.path("spoilt.toml"), &domain).unwrap();
+        let output = folder.vide(&["block", "spoilt.toml", "--cells", "4", "-o", "a.off"]);
+        match output.status.code() {
+            Some(0) => prop_assert!(folder.path("a.off").exists()),
+            Some(1) => {
+                prop_assert_eq!(text(&output.stderr).lines().count(), 1);
+                prop_assert_eq!(folder.names(), ["spoilt.toml"]);
+            }
+            other => prop_assert!(false, "{:?}: {}", other, text(&output.stderr)),
+        }
+    }
 }
 
 #[test]

@@ -15,7 +15,7 @@ use vide::quality::measure_quads;
 
 use super::Common;
 use super::failure::Failure;
-use super::output::{check_folder, check_outputs};
+use super::output::{check_formats, check_places};
 use super::progress::Watch;
 use super::report::Report;
 
@@ -27,7 +27,8 @@ pub(crate) struct BlockArgs {
     /// Circles in a bounding circle or in a periodic rectangle
     #[arg(value_name = "DOMAIN.toml")]
     domain: PathBuf,
-    /// Mesh to write, by extension: .vtu .msh .p3d .p3b .off, or a file called blockMeshDict; may be repeated
+    /// Mesh to write, by extension: .vtu .msh .p3d .p3b .off, or a file called blockMeshDict; may
+    /// be repeated
     #[arg(short, long, value_name = "OUT")]
     output: Vec<PathBuf>,
     /// Cells along and across every block
@@ -64,10 +65,9 @@ const FORMATS: [Format; 6] = [
 ];
 
 pub(crate) fn run(args: &BlockArgs) -> Result<(), Failure> {
-    check_outputs(&args.output, &FORMATS, "structured blocks")?;
-    for path in args.svg.iter().chain(&args.common.report) {
-        check_folder(path)?;
-    }
+    check_formats(&args.output, &FORMATS, "structured blocks")?;
+    let others = args.svg.iter().chain(&args.common.report);
+    check_places(&args.domain, args.output.iter().chain(others))?;
     let mut watch = Watch::new(args.common.quiet);
     let domain = watch.stage("read", |_| read_domain(args))?;
     let mesh = blocked(args, &domain, &mut watch)?;

@@ -10,7 +10,7 @@ use vide::quality::measure_mesh;
 
 use super::Common;
 use super::failure::Failure;
-use super::output::{check_folder, check_outputs};
+use super::output::{check_formats, check_places};
 use super::progress::Watch;
 use super::report::Report;
 
@@ -35,11 +35,8 @@ const FORMATS: [Format; 5] = [
 ];
 
 pub(crate) fn run(args: &DelaunayArgs) -> Result<(), Failure> {
-    check_outputs(&args.output, &FORMATS, "triangles")?;
-    args.common
-        .report
-        .iter()
-        .try_for_each(|path| check_folder(path))?;
+    check_formats(&args.output, &FORMATS, "triangles")?;
+    check_places(&args.points, args.output.iter().chain(&args.common.report))?;
     let failed = |error: &dyn std::fmt::Display| Failure::input(&args.points, error);
     let mut watch = Watch::new(args.common.quiet);
     let points = watch.stage("read", |_| read_points(&args.points))?;

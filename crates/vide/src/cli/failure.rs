@@ -1,4 +1,5 @@
-//! Everything that ends the program with exit code 1, as one line that names file, line and element.
+//! Everything that ends the program with exit code 1, as one line that names file, line and
+//! element.
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,5 @@
-//! Parse, dispatch, and tell how it went: exit code 0, 1 for an error in one line, 2 for wrong usage.
+//! Parse, dispatch, and tell how it went: exit code 0, 1 for an error in one line, 2 for wrong
+//! usage.
 
 mod block;
 mod delaunay;
@@ -73,7 +74,8 @@ pub(crate) fn run() -> ExitCode {
 }
 
 impl Common {
-    /// Says something on standard output unless told to be quiet; a reader that has gone away is no error.
+    /// Says something on standard output unless told to be quiet; a reader that has gone away is no
+    /// error.
     fn say(&self, text: &str) {
         if !self.quiet {
             let _ = std::io::stdout().write_all(text.as_bytes());
@@ -82,7 +84,11 @@ impl Common {
 
     /// Runs `work` on the number of threads asked for.
     fn on_threads<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
-        let threads = self.threads.map_or(0, NonZeroUsize::get);
+        let available = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+        let threads = self
+            .threads
+            .map_or(available, NonZeroUsize::get)
+            .min(available);
         let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
         Ok(pool.install(work))
     }

@@ -1,4 +1,5 @@
-//! A progress bar on the terminal's standard error for work that takes longer than a second, and the time of each stage.
+//! A progress bar on the terminal's standard error for work that takes longer than a second, and
+//! the time of each stage.
 
 use std::io::IsTerminal;
 use std::ops::ControlFlow;

@@ -8,7 +8,7 @@ use vide::quality::{Measured, measure_mesh};
 
 use super::Common;
 use super::failure::Failure;
-use super::output::check_folder;
+use super::output::check_places;
 use super::progress::Watch;
 use super::report::Report;
 
@@ -25,10 +25,7 @@ pub(crate) struct QualityArgs {
 }
 
 pub(crate) fn run(args: &QualityArgs) -> Result<(), Failure> {
-    args.common
-        .report
-        .iter()
-        .try_for_each(|path| check_folder(path))?;
+    check_places(&args.mesh, &args.common.report)?;
     let mut watch = Watch::new(args.common.quiet);
     let mesh = watch.stage("read", |_| read_mesh(&args.mesh))?;
     let measured = watch.stage("measure", |_| measure_mesh(&mesh));
