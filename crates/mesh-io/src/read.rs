@@ -1,4 +1,6 @@
 //! Reading a file in the format that its path names.
+//!
+//! Devices and pipes are read like files, up to [`LONGEST_STREAM`] bytes; beyond stands a [`ReadProblem::TooLong`].
 
 use std::fs::File;
 use std::io::Read as _;

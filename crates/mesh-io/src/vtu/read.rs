@@ -21,8 +21,8 @@ use crate::mesh::Mesh;
 /// 64 bytes for every byte of the file and 64 MiB besides.
 ///
 /// # Errors
-/// What is not XML, not an unstructured grid, truncated, inconsistent, beyond that bound, or holds cells other than [`CellKind`](crate::CellKind); with the line of the
-/// array or of the piece.
+/// What is not XML, not an unstructured grid, truncated, inconsistent, or holds cells other than [`CellKind`](crate::CellKind), and
+/// [`ReadProblem::TooLarge`] beyond that bound; with the line of the array or of the piece.
 pub fn parse(bytes: &[u8]) -> Result<Mesh, ReadError> {
     let (xml, appended) = split_appended(bytes);
     let xml = std::str::from_utf8(xml)
