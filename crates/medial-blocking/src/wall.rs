@@ -22,7 +22,7 @@ impl Circle {
     }
 }
 
-/// A wall of a [`Domain`]: hole `i` is wall `i`, the bounding circle comes after the holes.
+/// A wall of a [`crate::Domain`]: hole `i` is wall `i`, the bounding circle comes after the holes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct WallId(pub(crate) u32);
 
