@@ -113,7 +113,9 @@ impl BlockMesh {
             let pairs = batch
                 .par_iter()
                 .map(|&arc| PairOfGrids::of(&blocking, arc, &counts, params.matching));
-            for (pair, &arc) in pairs.collect::<Result<Vec<_>, _>>()?.into_iter().zip(batch) {
+            // Of several errors the one of the first arc, whichever thread was faster.
+            for (pair, &arc) in pairs.collect::<Vec<_>>().into_iter().zip(batch) {
+                let pair = pair?;
                 grids.extend(pair.grids);
                 leaning.extend(pair.leans.then_some(arc));
                 meter.advance()?;

@@ -35,6 +35,7 @@
 //! What the paper leaves for special cases (thin blocks between nearly co-circular holes, poor
 //! angles) is left as it is and can be asked for: [`Blocking::thin_arcs`].
 
+mod arc_length;
 pub mod bisector;
 pub mod block;
 mod blocking;
@@ -55,6 +56,7 @@ pub mod sample;
 mod tangent_circle;
 pub mod transfinite;
 pub mod triangulation;
+mod turn;
 mod validate;
 mod wall;
 

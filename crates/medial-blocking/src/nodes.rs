@@ -5,29 +5,21 @@
 //! from a small hole, equal lengths of arc belong to very unequal angles of wall. So every strip of
 //! cells is tested, by exact signs, and where one folds the nodes of that arc *lean*: first the
 //! wall's nodes towards the touching points, then the arc's nodes towards equal angles round the
-//! smaller hole, in quarters, as little as unfolds the strips. Nodes that lean all the way cannot
-//! fold unless a cell spans half a turn.
+//! walls on both sides, in quarters, as little as unfolds the strips. Nodes that lean all the way
+//! fold no cell when there are four or more.
 
 use std::f64::consts::PI;
 
 use geo_predicates::orient2d;
 use glam::DVec2;
 
+use crate::arc_length::ArcLength;
 use crate::block::{ArcSide, BlockId};
 use crate::blocking::Blocking;
 use crate::error::BlockingError;
-use crate::medial_graph::{ArcCurve, ArcEnd, ArcId};
+use crate::medial_graph::{ArcEnd, ArcId};
 use crate::params::NodeMatching;
-
-/// Pieces into which an arc is cut to measure its length.
-const PIECES: usize = 24;
-
-/// Abscissae and weights of Gauss–Legendre quadrature with three points on [0, 1].
-const GAUSS: [(f64, f64); 3] = [
-    (0.112_701_665_379_258_3, 5.0 / 18.0),
-    (0.5, 8.0 / 18.0),
-    (0.887_298_334_620_741_7, 5.0 / 18.0),
-];
+use crate::turn::Turn;
 
 /// How far nodes lean away from equal spacing, tried in this order until no strip folds.
 const LEANS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -35,75 +27,6 @@ const LEANS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// An arc shorter than this in units of its clearance is what rounding leaves of a vertex shared by
 /// four or more walls.
 const COLLAPSED: f64 = 1e-6;
-
-/// Length along an arc as a function of its parameter, tabulated.
-struct ArcLength {
-    curve: ArcCurve,
-    /// Length from the start to the parameter `k / PIECES`.
-    upto: [f64; PIECES + 1],
-}
-
-impl ArcLength {
-    fn of(curve: ArcCurve) -> Self {
-        let mut upto = [0.0; PIECES + 1];
-        for k in 0..PIECES {
-            upto[k + 1] = upto[k] + Self::between(&curve, at(k), at(k + 1));
-        }
-        Self { curve, upto }
-    }
-
-    fn total(&self) -> f64 {
-        self.upto[PIECES]
-    }
-
-    /// The parameter at which the length from the start is `length`, by safeguarded Newton steps
-    /// inside one piece.
-    fn parameter(&self, length: f64) -> f64 {
-        let piece = self
-            .upto
-            .partition_point(|&upto| upto <= length)
-            .clamp(1, PIECES)
-            - 1;
-        let (mut low, mut high) = (at(piece), at(piece + 1));
-        let within = (length - self.upto[piece]) / (self.upto[piece + 1] - self.upto[piece]);
-        let mut u = if within.is_finite() {
-            low + (high - low) * within.clamp(0.0, 1.0)
-        } else {
-            low
-        };
-        for _ in 0..8 {
-            let excess = self.upto[piece] + Self::between(&self.curve, at(piece), u) - length;
-            if excess.abs() <= 1e-14 * self.total() {
-                break;
-            }
-            if excess > 0.0 {
-                high = u;
-            } else {
-                low = u;
-            }
-            let newton = u - excess / self.curve.speed(u);
-            u = if (low..=high).contains(&newton) {
-                newton
-            } else {
-                low.midpoint(high)
-            };
-        }
-        u
-    }
-
-    /// Length of curve between two parameters of one piece.
-    fn between(curve: &ArcCurve, from: f64, to: f64) -> f64 {
-        GAUSS
-            .iter()
-            .map(|&(x, weight)| weight * curve.speed(from + (to - from) * x))
-            .sum::<f64>()
-            * (to - from)
-    }
-}
-
-fn at(piece: usize) -> f64 {
-    piece as f64 / PIECES as f64
-}
 
 impl Blocking {
     /// Length of a medial arc, to about 1e-9 of itself.
@@ -133,10 +56,13 @@ impl Blocking {
         cells: u32,
         matching: NodeMatching,
     ) -> Result<NodesAlong, BlockingError> {
-        let length = ArcLength::of(self.arc(id).curve);
+        let arc = self.arc(id);
+        let center = |image| self.domain().wall_image(image).circle.center;
+        let length = ArcLength::of(arc.curve);
+        let turn = Turn::of(arc.curve, [arc.right, arc.left].map(center));
         let mut folded = id.right_block();
         for lean in LEANS {
-            let nodes = self.arc_nodes(id, &length, cells, lean);
+            let nodes = self.arc_nodes(id, (&length, &turn), cells, lean);
             let [right, left] = [id.right_block(), id.left_block()]
                 .map(|block| self.side_nodes(block, &nodes, matching));
             folded = if right.folded {
@@ -157,7 +83,13 @@ impl Blocking {
     }
 
     /// Nodes along an arc in the arc's frame; the ends are the medial vertices.
-    fn arc_nodes(&self, id: ArcId, length: &ArcLength, cells: u32, lean: f64) -> Vec<DVec2> {
+    fn arc_nodes(
+        &self,
+        id: ArcId,
+        (length, turn): (&ArcLength, &Turn),
+        cells: u32,
+        lean: f64,
+    ) -> Vec<DVec2> {
         let arc = self.arc(id);
         let end =
             |end: &ArcEnd| self.vertex(end.vertex).center + self.domain().translation(end.shift);
@@ -165,10 +97,12 @@ impl Blocking {
         nodes.extend((1..cells).map(|k| {
             let fraction = f64::from(k) / f64::from(cells);
             let equal_length = length.parameter(length.total() * fraction);
-            self.domain().snap(
-                arc.curve
-                    .point(equal_length + lean * (fraction - equal_length)),
-            )
+            let u = if lean > 0.0 {
+                equal_length + lean * (turn.parameter(fraction) - equal_length)
+            } else {
+                equal_length
+            };
+            self.domain().snap(arc.curve.point(u))
         }));
         nodes.push(end(&arc.end));
         nodes

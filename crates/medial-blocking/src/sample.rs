@@ -23,9 +23,11 @@ pub const PIECE_PER_GAP: f64 = 0.5;
 /// Most samples of a domain: with their images in a periodic one they still have 32-bit ids.
 pub const MAX_SAMPLES: usize = 1 << 26;
 
-/// Samples nearer than this, in radii, are one: rounding would not leave them in convex position,
-/// and either stands for the other to a depth of 2^-51 radii.
+/// Samples nearer than this, in radii, are one in any case.
 const CLOSEST: f64 = 1.0 / (1u64 << 25) as f64;
+
+/// Rounding of coordinates in a domain of size about 1, with a margin: 2^-47.
+const ROUNDING: f64 = 1.0 / (1u64 << 47) as f64;
 
 /// A coordinate below this is zero, in a domain of size about 1: 2^-100.
 const DUST: f64 = 1.0 / (1u128 << 100) as f64;
@@ -78,23 +80,20 @@ impl Samples {
 
     /// These samples and `extra` ones: unit directions from the centres of the walls named.
     ///
-    /// A sample almost at the place of another is left out.
+    /// An extra sample almost at the place of another is left out.
     pub(crate) fn with(
         &self,
         domain: &Domain,
         extra: &[(WallId, DVec2)],
     ) -> Result<Self, BlockingError> {
-        let mut by_wall: Vec<Vec<DVec2>> = domain
-            .wall_ids()
-            .map(|wall| self.wall_directions(wall).to_vec())
-            .collect();
+        let mut by_wall: Vec<Vec<DVec2>> = vec![Vec::new(); domain.walls().len()];
         for &(wall, direction) in extra {
             by_wall[wall.index()].push(direction);
         }
         let mut samples = Self::empty();
-        for (wall, mut directions) in domain.wall_ids().zip(by_wall) {
-            directions.sort_by(|a, b| pseudo_angle(*a).total_cmp(&pseudo_angle(*b)));
-            directions.dedup_by(|next, kept| next.distance(*kept) < CLOSEST);
+        for (wall, extra) in domain.wall_ids().zip(by_wall) {
+            let closest = closest(domain.wall(wall).circle.radius);
+            let directions = merged(self.wall_directions(wall), extra, closest);
             samples.push_wall(domain, wall, &directions)?;
         }
         Ok(samples)
@@ -333,6 +332,36 @@ fn halfway(a: DVec2, b: DVec2) -> DVec2 {
 /// `p` with coordinates that are nothing but rounding put to zero, below the range of the predicates.
 fn without_dust(p: DVec2) -> DVec2 {
     DVec2::select(p.abs().cmpge(DVec2::splat(DUST)), p, DVec2::ZERO)
+}
+
+/// Samples of a circle of this radius that are nearer, in radians, would not be in convex position
+/// once rounded: the arc between them rises above its chord by less than coordinates are rounded.
+///
+/// Either stands for the other to a depth of [`ROUNDING`].
+fn closest(radius: f64) -> f64 {
+    (ROUNDING / radius).sqrt().max(CLOSEST)
+}
+
+/// Directions counterclockwise: all of `kept`, which are, and those of `extra` that are not nearer
+/// than `closest` to one before or after them.
+fn merged(kept: &[DVec2], mut extra: Vec<DVec2>, closest: f64) -> Vec<DVec2> {
+    let by_angle = |a: &DVec2, b: &DVec2| pseudo_angle(*a).total_cmp(&pseudo_angle(*b));
+    extra.sort_by(by_angle);
+    let is_near = |a: DVec2, b: Option<&DVec2>| b.is_some_and(|&b| a.distance(b) < closest);
+    let mut merged = Vec::with_capacity(kept.len() + extra.len());
+    let mut following = kept.iter().peekable();
+    for direction in extra {
+        while let Some(&next) = following.next_if(|next| by_angle(next, &direction).is_le()) {
+            merged.push(next);
+        }
+        let after = following.peek().copied().or(kept.first());
+        let before = merged.last().or(kept.last());
+        if !is_near(direction, before) && !is_near(direction, after) {
+            merged.push(direction);
+        }
+    }
+    merged.extend(following);
+    merged
 }
 
 /// Grows with the angle of a unit vector, from 0 at the x-axis to 4 after a full turn.
