@@ -6,6 +6,9 @@
 //!
 //! `cargo run -p geo-predicates --example float_versus_exact`
 
+// An example may print.
+#![allow(clippy::print_stdout)]
+
 use geo_predicates::{DVec2, Sign, orient2d};
 
 const SIZE: i32 = 24;

@@ -6,8 +6,9 @@
 
 use glam::DVec2;
 
+use crate::corner::Corner;
 use crate::medial_axis::{SampledAxis, TriangleSequence};
-use crate::triangulation::{Across, Corner};
+use crate::triangulation::Across;
 
 /// A pair of blocks that share a medial arc, as three polygonal curves.
 #[derive(Clone, Debug)]
@@ -60,8 +61,8 @@ fn block_pair(axis: &SampledAxis<'_>, sequence: TriangleSequence) -> BlockPair {
 mod tests {
     use super::*;
     use crate::Blocking;
+    use crate::corner::wall_image;
     use crate::example_domains::{three_holes, two_periodic_holes};
-    use crate::triangulation::wall_image;
     use crate::wall::WallKind;
 
     fn each_pair(look: impl Fn(&SampledAxis<'_>, &BlockPair)) {

@@ -8,8 +8,7 @@
 use glam::DVec2;
 
 use crate::error::{Defect, DomainError};
-use crate::validate::usable_length;
-use crate::wall::{Circle, Shift, Wall, WallId, WallImage, WallKind, WallName};
+use crate::wall::{Circle, Shift, Wall, WallId, WallImage, WallKind, WallName, usable_length};
 
 /// Farther than this many periods from the rectangle a centre has lost too many digits to be moved
 /// into it.

@@ -5,8 +5,11 @@ use std::fmt;
 use delaunay_core::progress::Cancelled;
 use thiserror::Error;
 
-use crate::validate::MAX_LISTED_DEFECTS;
 use crate::wall::WallName;
+
+/// Most pairs of overlapping circles that an error lists: input of many equal circles has a
+/// quadratic number of them.
+pub const MAX_LISTED_DEFECTS: usize = 10_000;
 
 /// One thing that is wrong with a domain.
 #[derive(Clone, Debug, PartialEq, Error)]

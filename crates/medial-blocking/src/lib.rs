@@ -41,6 +41,7 @@ pub mod block;
 mod blocking;
 pub mod blocking2d;
 mod clearance;
+pub mod corner;
 mod domain;
 mod error;
 #[cfg(test)]
@@ -67,11 +68,11 @@ use delaunay_core::progress::Progress;
 pub use block::{ArcSide, Block, BlockCorner, BlockId, BlockSide, Neighbours};
 pub use blocking::Blocking;
 pub use domain::Domain;
-pub use error::{BlockingError, Defect, DomainError};
+pub use error::{BlockingError, Defect, DomainError, MAX_LISTED_DEFECTS};
 pub use grid::{BlockGrid, BlockMesh};
 pub use medial_graph::{ArcEnd, ArcId, MedialArc, MedialVertex, MedialVertexId, Touch};
 pub use params::{CellCounts, MAX_CELLS, NodeMatching, Params};
-pub use validate::{MAX_LISTED_DEFECTS, RESOLVED_GAP};
+pub use validate::RESOLVED_GAP;
 pub use wall::{Circle, Shift, Wall, WallId, WallImage, WallKind, WallName};
 
 /// Hears of progress and may stop the work; see [`delaunay_core::progress`].

@@ -6,9 +6,10 @@
 
 use glam::DVec2;
 
+use crate::corner::{Corner, corner_point};
 use crate::domain::Domain;
 use crate::sample::Samples;
-use crate::triangulation::{Across, Corner, DomainTriangulation, SideId, TriangleId, corner_point};
+use crate::triangulation::{Across, DomainTriangulation, SideId, TriangleId};
 use crate::wall::Shift;
 
 /// A triangle that an arc enters.

@@ -8,9 +8,9 @@ use glam::DVec2;
 
 use crate::bisector::Bisector;
 use crate::blocking2d::BlockPair;
+use crate::corner::{Corner, wall_image};
 use crate::domain::Domain;
 use crate::medial_axis::SampledAxis;
-use crate::triangulation::{Corner, wall_image};
 use crate::wall::{Shift, Wall, WallId, WallImage, WallKind};
 
 /// A vertex of the medial axis, numbered like the interior triangles.

@@ -12,10 +12,10 @@ use delaunay_core::{BuildError, Delaunay2, FaceId};
 use glam::DVec2;
 
 use crate::Report;
+use crate::corner::Corner;
 use crate::domain::Domain;
 use crate::error::BlockingError;
 use crate::sample::{MAX_SAMPLES, SampleId, Samples};
-use crate::triangulation::Corner;
 use crate::wall::Shift;
 
 /// The triangulation of the samples and, in a periodic domain, of their images in the halo.

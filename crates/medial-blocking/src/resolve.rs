@@ -10,13 +10,14 @@ use glam::DVec2;
 
 use crate::Report;
 use crate::clearance::{Clearance, NearWall};
+use crate::corner::wall_image;
 use crate::domain::Domain;
 use crate::error::BlockingError;
 use crate::medial_axis::SampledAxis;
 use crate::medial_graph::{MedialVertex, Touch};
 use crate::sample::{SampleId, Samples};
 use crate::tangent_circle::{inward, tangent_circle};
-use crate::triangulation::{DomainTriangulation, TooCoarse, TriangleId, wall_image};
+use crate::triangulation::{DomainTriangulation, TooCoarse, TriangleId};
 use crate::wall::{Wall, WallId};
 
 /// Rounds of sampling; each halves the pieces at fault, so doubles are used up before the rounds

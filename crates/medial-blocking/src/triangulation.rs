@@ -11,14 +11,13 @@
 //! once: every corner carries the periods by which its sample is moved, and so does the step across
 //! a side.
 
-use glam::DVec2;
-
 use crate::Report;
+use crate::corner::{Corner, wall_image};
 use crate::domain::Domain;
 use crate::error::BlockingError;
 use crate::periodic::Tiling;
 use crate::sample::{SampleId, Samples};
-use crate::wall::{Shift, WallImage};
+use crate::wall::Shift;
 
 /// A triangle of the domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -56,28 +55,6 @@ impl SideId {
     #[must_use]
     pub const fn index(self) -> usize {
         3 * self.triangle.index() + self.side as usize
-    }
-}
-
-/// A corner: a sample moved by whole periods.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Corner {
-    /// The sample.
-    pub sample: SampleId,
-    /// The periods by which it is moved; zero in a bounded domain.
-    pub shift: Shift,
-}
-
-impl Corner {
-    pub(crate) fn moved(self, by: Shift) -> Self {
-        Self {
-            shift: self.shift + by,
-            ..self
-        }
-    }
-
-    pub(crate) fn key(self) -> (SampleId, [i32; 2]) {
-        (self.sample, self.shift.to_array())
     }
 }
 
@@ -273,20 +250,6 @@ impl DomainTriangulation {
         );
         coarse
     }
-}
-
-/// The image of the wall on which a corner lies.
-pub(crate) fn wall_image(samples: &Samples, corner: Corner) -> WallImage {
-    WallImage {
-        wall: samples.wall(corner.sample),
-        shift: corner.shift,
-    }
-}
-
-/// Where a corner lies.
-#[must_use]
-pub fn corner_point(domain: &Domain, samples: &Samples, corner: Corner) -> DVec2 {
-    samples.points()[corner.sample.index()] + domain.translation(corner.shift)
 }
 
 fn on_one_wall(samples: &Samples, corners: [Corner; 3]) -> bool {

@@ -9,18 +9,14 @@ use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
 use crate::domain::Domain;
-use crate::error::Defect;
-use crate::wall::{Circle, Wall, WallId, WallImage};
+use crate::error::{Defect, MAX_LISTED_DEFECTS};
+use crate::wall::{Circle, Wall, WallId, WallImage, usable_coordinate, usable_length};
 
 /// Smallest accepted gap between two walls, as a fraction of the smaller of their radii.
 pub const RESOLVED_GAP: f64 = 1e-7;
 
 /// The same bound as a fraction of the largest coordinate of the domain, 2^-36.
 const RESOLVED_COORDINATE: f64 = 1.0 / (1u64 << 36) as f64;
-
-/// Most pairs of overlapping circles that an error lists: input of many equal circles has a
-/// quadratic number of them.
-pub const MAX_LISTED_DEFECTS: usize = 10_000;
 
 impl Domain {
     /// Defects of single circles.
@@ -147,16 +143,6 @@ impl Domain {
     fn rounding(&self) -> f64 {
         self.largest_number() * RESOLVED_COORDINATE
     }
-}
-
-/// Whether `x` is finite and at most 2^201.
-fn usable_coordinate(x: f64) -> bool {
-    x.abs() <= 2f64.powi(201)
-}
-
-/// Whether `x` is positive and of a size that squares survive: 2^-142 to 2^201.
-pub(crate) fn usable_length(x: f64) -> bool {
-    (2f64.powi(-142)..=2f64.powi(201)).contains(&x)
 }
 
 fn smallest_gap(r1: f64, r2: f64, rounding: f64) -> f64 {

@@ -130,3 +130,13 @@ impl fmt::Display for WallName {
         }
     }
 }
+
+/// Whether `x` is finite and at most 2^201.
+pub(crate) fn usable_coordinate(x: f64) -> bool {
+    x.abs() <= 2f64.powi(201)
+}
+
+/// Whether `x` is positive and of a size that squares survive: 2^-142 to 2^201.
+pub(crate) fn usable_length(x: f64) -> bool {
+    (2f64.powi(-142)..=2f64.powi(201)).contains(&x)
+}
