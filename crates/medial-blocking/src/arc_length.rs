@@ -3,7 +3,7 @@
 use crate::medial_graph::ArcCurve;
 
 /// Pieces into which an arc is cut to measure its length.
-const PIECES: usize = 24;
+pub(crate) const PIECES: usize = 24;
 
 /// Abscissae and weights of Gauss–Legendre quadrature with three points on [0, 1].
 const GAUSS: [(f64, f64); 3] = [
@@ -77,6 +77,7 @@ impl ArcLength {
     }
 }
 
-fn at(piece: usize) -> f64 {
+/// The parameter at which a piece starts.
+pub(crate) fn at(piece: usize) -> f64 {
     piece as f64 / PIECES as f64
 }

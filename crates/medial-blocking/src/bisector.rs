@@ -63,14 +63,7 @@ impl Bisector {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wall::Circle;
-
-    fn wall(x: f64, y: f64, radius: f64, kind: WallKind) -> Wall {
-        Wall {
-            circle: Circle::new(DVec2::new(x, y), radius),
-            kind,
-        }
-    }
+    use crate::example_domains::wall;
 
     #[test]
     fn points_are_equally_far_from_both_walls() {

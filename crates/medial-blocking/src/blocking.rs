@@ -16,6 +16,10 @@ use crate::sample::Samples;
 use crate::triangulation::DomainTriangulation;
 use crate::wall::{Wall, WallId};
 
+/// An arc shorter than this in units of its clearance is what rounding leaves of a vertex shared by
+/// four or more walls; see [`Blocking::thin_arcs`].
+pub const COLLAPSED: f64 = 1e-6;
+
 /// A domain cut into blocks.
 ///
 /// `h ≥ 2` holes in a circle give 2 (h − 1) medial vertices and 6 (h − 1) blocks, `h` holes in a
@@ -223,7 +227,7 @@ impl Blocking {
     /// The arcs shorter than `ratio` times the clearance at the narrower of their ends: their
     /// blocks are thin, or empty where four walls are co-circular.
     ///
-    /// Source: §4.2; `ratio` 1e-6 finds what rounding leaves of co-circular holes, 0.2 what a
+    /// Source: §4.2; `ratio` [`COLLAPSED`] finds what rounding leaves of co-circular holes, 0.2 what a
     /// picture shows as thin.
     pub fn thin_arcs(&self, ratio: f64) -> impl Iterator<Item = ArcId> + '_ {
         self.arc_ids().filter(move |&id| self.is_thin(id, ratio))

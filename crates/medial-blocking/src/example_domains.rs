@@ -1,9 +1,9 @@
-//! Small domains for the unit tests.
+//! Small domains and single walls for the unit tests.
 
 use glam::DVec2;
 
 use crate::domain::Domain;
-use crate::wall::Circle;
+use crate::wall::{Circle, Wall, WallKind};
 
 /// Three holes of unequal size in a circle: 4 medial vertices, 6 arcs, 12 blocks.
 pub(crate) fn three_holes() -> Domain {
@@ -36,4 +36,12 @@ pub(crate) fn two_periodic_holes() -> Domain {
 pub(crate) fn four_co_circular_holes() -> Domain {
     let holes = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y].map(|p| Circle::new(p, 0.25));
     Domain::in_circle(Circle::new(DVec2::ZERO, 2.0), &holes).expect("the holes are disjoint")
+}
+
+/// A wall of no domain in particular.
+pub(crate) fn wall(x: f64, y: f64, radius: f64, kind: WallKind) -> Wall {
+    Wall {
+        circle: Circle::new(DVec2::new(x, y), radius),
+        kind,
+    }
 }

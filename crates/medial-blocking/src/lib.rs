@@ -66,7 +66,7 @@ use std::ops::ControlFlow;
 use delaunay_core::progress::Progress;
 
 pub use block::{ArcSide, Block, BlockCorner, BlockId, BlockSide, Neighbours};
-pub use blocking::Blocking;
+pub use blocking::{Blocking, COLLAPSED};
 pub use domain::Domain;
 pub use error::{BlockingError, Defect, DomainError, MAX_LISTED_DEFECTS};
 pub use grid::{BlockGrid, BlockMesh};

@@ -8,14 +8,16 @@
 //! walls on both sides, in quarters, as little as unfolds the strips. Nodes that lean all the way
 //! fold no cell when there are four or more.
 
+use std::cell::LazyCell;
 use std::f64::consts::PI;
+use std::ops::Deref;
 
 use geo_predicates::orient2d;
 use glam::DVec2;
 
 use crate::arc_length::ArcLength;
 use crate::block::{ArcSide, BlockId};
-use crate::blocking::Blocking;
+use crate::blocking::{Blocking, COLLAPSED};
 use crate::error::BlockingError;
 use crate::medial_graph::{ArcEnd, ArcId};
 use crate::params::NodeMatching;
@@ -23,10 +25,6 @@ use crate::turn::Turn;
 
 /// How far nodes lean away from equal spacing, tried in this order until no strip folds.
 const LEANS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-
-/// An arc shorter than this in units of its clearance is what rounding leaves of a vertex shared by
-/// four or more walls.
-const COLLAPSED: f64 = 1e-6;
 
 impl Blocking {
     /// Length of a medial arc, to about 1e-9 of itself.
@@ -59,7 +57,8 @@ impl Blocking {
         let arc = self.arc(id);
         let center = |image| self.domain().wall_image(image).circle.center;
         let length = ArcLength::of(arc.curve);
-        let turn = Turn::of(arc.curve, [arc.right, arc.left].map(center));
+        // Few arcs lean, so few need it.
+        let turn = LazyCell::new(|| Turn::of(arc.curve, [arc.right, arc.left].map(center)));
         let mut folded = id.right_block();
         for lean in LEANS {
             let nodes = self.arc_nodes(id, (&length, &turn), cells, lean);
@@ -86,7 +85,7 @@ impl Blocking {
     fn arc_nodes(
         &self,
         id: ArcId,
-        (length, turn): (&ArcLength, &Turn),
+        (length, turn): (&ArcLength, &impl Deref<Target = Turn>),
         cells: u32,
         lean: f64,
     ) -> Vec<DVec2> {

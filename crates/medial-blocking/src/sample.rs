@@ -3,7 +3,7 @@
 //! The triangulation contains every piece of wall between neighbouring samples once the disk over
 //! the piece holds no sample of another wall, so the spacing follows the *local gap*: a piece is
 //! halved until it is shorter than [`PIECE_PER_GAP`] times the distance from it to the nearest
-//! other wall. Wide water costs sixteen samples per circle, a gap g between circles of radius r
+//! other wall. Wide water costs thirty-two samples per circle, a gap g between circles of radius r
 //! about √(r/g) more. Pieces are halved by normalising the sum of two directions: no sine or
 //! cosine, the same bits on every machine.
 

@@ -63,14 +63,8 @@ fn spread(walls: &[Wall; 3], center: DVec2) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::example_domains::wall;
     use crate::wall::WallKind;
-
-    fn wall(x: f64, y: f64, radius: f64, kind: WallKind) -> Wall {
-        Wall {
-            circle: Circle::new(DVec2::new(x, y), radius),
-            kind,
-        }
-    }
 
     #[test]
     fn the_circle_touches_holes_and_bounding_circle() {

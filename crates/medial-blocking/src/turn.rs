@@ -5,10 +5,8 @@
 
 use glam::DVec2;
 
+use crate::arc_length::{PIECES, at};
 use crate::medial_graph::ArcCurve;
-
-/// Pieces into which an arc is cut; the touching points turn by less than half a turn in each.
-const PIECES: usize = 24;
 
 /// Halvings of a piece that leave nothing but rounding.
 const HALVINGS: usize = 48;
@@ -22,7 +20,8 @@ pub(crate) struct Turn {
 }
 
 impl Turn {
-    /// The turn along `curve` round walls with these centres.
+    /// The turn along `curve` round walls with these centres; the touching points turn by less than
+    /// half a turn in each piece.
     pub(crate) fn of(curve: ArcCurve, centers: [DVec2; 2]) -> Self {
         let mut turn = Self {
             curve,
@@ -58,10 +57,6 @@ impl Turn {
         let round = |center: &DVec2| (p - center).angle_to(q - center).abs();
         self.centers.iter().map(round).sum()
     }
-}
-
-fn at(piece: usize) -> f64 {
-    piece as f64 / PIECES as f64
 }
 
 #[cfg(test)]

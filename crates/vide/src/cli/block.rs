@@ -7,7 +7,8 @@ use std::io::Write;
 use vide::convert::{domain_of, structured_blocks};
 use vide::delaunay_core::measure::AngleSummary;
 use vide::medial_blocking::{
-    BlockMesh, Blocking, BlockingError, CellCounts, Domain, MAX_CELLS, NodeMatching, Params,
+    BlockMesh, Blocking, BlockingError, COLLAPSED, CellCounts, Domain, MAX_CELLS, NodeMatching,
+    Params,
 };
 use vide::mesh_io::{Format, StructuredBlocks, read_circles, write_atomically, write_blocks};
 use vide::picture::block_picture;
@@ -18,9 +19,6 @@ use super::failure::Failure;
 use super::output::{check_formats, check_places};
 use super::progress::Watch;
 use super::report::Report;
-
-/// An arc below this in units of its clearance has no length but rounding.
-const COLLAPSED: f64 = 1e-6;
 
 #[derive(Args)]
 pub(crate) struct BlockArgs {
