@@ -12,7 +12,7 @@ pub enum BuildError {
     /// A coordinate is not accepted.
     #[error(transparent)]
     Coordinate(#[from] CoordinateError),
-    /// There are more points than 32-bit half-edge ids can serve.
+    /// There are more points than 32-bit ids can serve.
     #[error("{count} points are more than the {limit} that a triangulation can hold")]
     TooManyPoints {
         /// Points given.
@@ -20,7 +20,15 @@ pub enum BuildError {
         /// Points possible.
         limit: usize,
     },
-    /// The points span no triangle; what they are instead.
+    /// There are more tetrahedra than 32-bit facet ids can serve, or than memory holds.
+    #[error(
+        "the points have more tetrahedra than fit: {tets} were made and there was no room for more"
+    )]
+    TooManyTets {
+        /// Tetrahedra made before room ran out.
+        tets: usize,
+    },
+    /// The points span no triangle, or in space no tetrahedron; what they are instead.
     #[error("{}", flat_text(.0))]
     Flat(Box<Flat>),
     /// The report closure stopped the work.
@@ -40,6 +48,31 @@ pub enum InsertError {
         /// Points possible.
         limit: usize,
     },
+    /// All tetrahedron ids are in use.
+    #[error("the triangulation holds all the {limit} tetrahedra that it can")]
+    TooManyTets {
+        /// Tetrahedra possible.
+        limit: usize,
+    },
+}
+
+/// Why a vertex was not moved; the triangulation is as before.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum MoveError {
+    /// A coordinate of the new place is not accepted; the index in the error is 0.
+    #[error(transparent)]
+    Coordinate(#[from] CoordinateError),
+    /// The vertex cannot be taken from its old place.
+    #[error(transparent)]
+    Remove(#[from] RemoveError),
+    /// Another vertex is at the new place.
+    #[error("{vertex} cannot move to where {other} is")]
+    Occupied {
+        /// The vertex to move.
+        vertex: VertexId,
+        /// The vertex at the new place.
+        other: VertexId,
+    },
 }
 
 /// Why a vertex was not removed; the triangulation is as before.
@@ -51,8 +84,8 @@ pub enum RemoveError {
         /// The id in question.
         vertex: VertexId,
     },
-    /// The other vertices lie on one line and span no triangle.
-    #[error("without {vertex} all vertices would lie on one line")]
+    /// The other vertices lie on one line and span no triangle, or in space on one plane.
+    #[error("without {vertex} all vertices would lie on one line or plane")]
     RestIsFlat {
         /// The vertex that holds the triangulation up.
         vertex: VertexId,
@@ -65,6 +98,10 @@ fn flat_text(flat: &Flat) -> String {
         (Extent::Line, [first, .., last]) => {
             let count = flat.vertices.len();
             format!("the {count} distinct points lie on one line, from {first} to {last}")
+        }
+        (Extent::Plane, vertices) => {
+            let count = vertices.len();
+            format!("the {count} distinct points lie on one plane")
         }
         _ => "there are no points".to_owned(),
     }
@@ -103,7 +140,7 @@ mod tests {
     fn removal_errors_name_the_vertex() {
         let vertex = VertexId::new(3);
         insta::assert_snapshot!(RemoveError::NoSuchVertex { vertex }, @"v3 is not a vertex of the triangulation");
-        insta::assert_snapshot!(RemoveError::RestIsFlat { vertex }, @"without v3 all vertices would lie on one line");
+        insta::assert_snapshot!(RemoveError::RestIsFlat { vertex }, @"without v3 all vertices would lie on one line or plane");
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! Names of mesh elements: 32-bit numbers that know their kind and print themselves.
 //!
 //! What arithmetic can answer is answered here and not stored in a mesh: the face of a half-edge,
-//! the half-edge that follows it. Data about elements live in a `Vec` beside the mesh, at
-//! [`VertexId::index`], [`FaceId::index`] or [`HalfEdgeId::index`].
+//! the half-edge that follows it, the tetrahedron of a facet. Data about elements live in a `Vec`
+//! beside the mesh, at the `index()` of their ids.
 
 use std::fmt;
 
@@ -164,6 +164,118 @@ impl HalfEdgeId {
     }
 }
 
+/// A tetrahedron of a triangulation of space: a real one, or a ghost on a hull facet.
+///
+/// Prints as `t4`. The id stays good until the tetrahedron is removed; vacated ids are given out again.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct TetId(u32);
+
+impl TetId {
+    /// The greatest number of tetrahedra whose facets 32 bits can number.
+    pub const LIMIT: usize = 1 << 30;
+
+    /// No tetrahedron: the home of a vertex that is not in the mesh.
+    pub(crate) const NONE: Self = Self(u32::MAX);
+
+    /// Tetrahedron number `index`.
+    ///
+    /// # Panics
+    /// When `index` is not below [`TetId::LIMIT`].
+    #[must_use]
+    pub const fn new(index: usize) -> Self {
+        assert!(index < Self::LIMIT, "tetrahedron index beyond 30 bits");
+        Self(index as u32)
+    }
+
+    /// The number of the tetrahedron, from 0.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+
+    /// The facet opposite corner `corner`.
+    ///
+    /// # Panics
+    /// When `corner` is not below 4.
+    #[must_use]
+    pub const fn facet(self, corner: usize) -> FacetId {
+        assert!(corner < 4, "a tetrahedron has four corners");
+        FacetId(4 * self.0 + corner as u32)
+    }
+
+    /// The four facets, by the corner opposite each.
+    #[must_use]
+    pub const fn facets(self) -> [FacetId; 4] {
+        let first = 4 * self.0;
+        [
+            FacetId(first),
+            FacetId(first + 1),
+            FacetId(first + 2),
+            FacetId(first + 3),
+        ]
+    }
+}
+
+/// One side of a facet: facet `4 t + i` bounds tetrahedron `t`, opposite its corner `i`.
+///
+/// Prints as `t4.2`.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FacetId(u32);
+
+impl FacetId {
+    /// Facet number `index`.
+    ///
+    /// # Panics
+    /// When `index` is beyond the last tetrahedron.
+    #[must_use]
+    pub const fn new(index: usize) -> Self {
+        assert!(index < 4 * TetId::LIMIT, "facet index beyond 32 bits");
+        Self(index as u32)
+    }
+
+    /// The number of the facet, `4 t + i`.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+
+    /// The tetrahedron that the facet bounds.
+    #[must_use]
+    pub const fn tet(self) -> TetId {
+        TetId(self.0 / 4)
+    }
+
+    /// The corner of the tetrahedron opposite the facet: 0, 1, 2 or 3.
+    #[must_use]
+    pub const fn corner(self) -> usize {
+        (self.0 % 4) as usize
+    }
+}
+
+impl fmt::Display for TetId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "t{}", self.0)
+    }
+}
+
+impl fmt::Display for FacetId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.tet(), self.corner())
+    }
+}
+
+impl fmt::Debug for TetId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl fmt::Debug for FacetId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
 impl fmt::Display for VertexId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_ghost() {
@@ -214,6 +326,8 @@ mod tests {
         assert_eq!(VertexId::GHOST.to_string(), "v∞");
         assert_eq!(FaceId::new(4).to_string(), "f4");
         assert_eq!(HalfEdgeId::new(17).to_string(), "h17");
+        assert_eq!(TetId::new(4).to_string(), "t4");
+        assert_eq!(FacetId::new(18).to_string(), "t4.2");
     }
 
     #[test]
@@ -223,6 +337,15 @@ mod tests {
             assert_eq!(h.next().prev(), h);
             assert_eq!(h.face(), FaceId::new(7));
             assert_eq!(h.face().half_edge(h.corner()), h);
+        }
+    }
+
+    #[test]
+    fn a_facet_knows_its_tet_and_corner() {
+        for (corner, facet) in TetId::new(9).facets().into_iter().enumerate() {
+            assert_eq!(facet, TetId::new(9).facet(corner));
+            assert_eq!((facet.tet(), facet.corner()), (TetId::new(9), corner));
+            assert_eq!(FacetId::new(facet.index()), facet);
         }
     }
 

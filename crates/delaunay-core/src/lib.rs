@@ -35,11 +35,13 @@ pub mod progress;
 mod error;
 mod hilbert;
 mod ids;
+mod tet;
 mod tri;
 
-pub use error::{BuildError, InsertError, RemoveError};
+pub use error::{BuildError, InsertError, MoveError, RemoveError};
 pub use geo_predicates;
-pub use ids::{FaceId, HalfEdgeId, VertexId};
+pub use ids::{FaceId, FacetId, HalfEdgeId, TetId, VertexId};
+pub use tet::{Cavity3, Delaunay3, FACET_CORNERS, Location3, Ring, Star, TetMesh, Violation3};
 pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,
     PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,

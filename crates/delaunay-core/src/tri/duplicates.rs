@@ -13,7 +13,7 @@ pub struct Duplicates {
 }
 
 impl Duplicates {
-    pub(super) fn from_pairs(mut pairs: Vec<(VertexId, VertexId)>) -> Self {
+    pub(crate) fn from_pairs(mut pairs: Vec<(VertexId, VertexId)>) -> Self {
         pairs.sort_unstable();
         let mut groups: Vec<_> = pairs.iter().map(|&(v, of)| (of, v)).collect();
         groups.sort_unstable();
@@ -51,7 +51,7 @@ impl Duplicates {
     }
 
     /// Forgets the duplicates of `vertex`, in time log n for each.
-    pub(super) fn forget(&mut self, vertex: VertexId) {
+    pub(crate) fn forget(&mut self, vertex: VertexId) {
         let first = self.groups.partition_point(|&(of, _)| of < vertex);
         for group in first..self.groups.len() {
             let (of, duplicate) = self.groups[group];

@@ -185,7 +185,7 @@ impl TriMesh {
     /// vertices without a face.
     ///
     /// `slots` is one more than the greatest vertex index, plus one for the ghost.
-    pub(super) fn index_vertices(&mut self, slots: usize) {
+    pub(crate) fn index_vertices(&mut self, slots: usize) {
         self.outgoing.clear();
         self.outgoing.resize(slots, HalfEdgeId::NONE);
         for (index, face) in self.faces.iter().enumerate().rev() {

@@ -1,0 +1,33 @@
+//! Triangulations of space.
+//!
+//! | step | file |
+//! |---|---|
+//! | connectivity, surgery | `mesh.rs`, `around.rs`, `canonical.rs` |
+//! | the triangulation and read access | `delaunay.rs` |
+//! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs` |
+//! | all points | `build.rs`, `simplex.rs` |
+//! | points on a plane | `coplanar.rs` |
+//! | questions | `hull.rs` |
+//! | invariants | `check.rs` |
+
+mod around;
+mod build;
+mod canonical;
+mod cavity;
+mod check;
+mod coplanar;
+mod delaunay;
+mod hull;
+mod insert;
+mod locate;
+mod mesh;
+mod sight;
+mod simplex;
+mod star;
+
+pub use around::{Ring, Star};
+pub use cavity::Cavity3;
+pub use check::Violation3;
+pub use delaunay::Delaunay3;
+pub use locate::Location3;
+pub use mesh::{FACET_CORNERS, TetMesh};

@@ -1,0 +1,72 @@
+//! A cavity is replaced by the star of the new vertex.
+//!
+//! Each facet `[a, b, c]` of the boundary, as seen from the tetrahedron outside, faces a new tetrahedron
+//! `[v, a', b', c']`, the same corners as seen from inside. Its facet 0 is glued to the outside, the
+//! others to its neighbours in the star: two new tetrahedra that share the boundary edge `a b` run along
+//! it in opposite directions, so a table of directed edges finds the partner.
+
+use super::cavity::Cavity3;
+use super::mesh::TetMesh;
+use crate::ids::{TetId, VertexId};
+
+/// Corners 1, 2, 3 of a new tetrahedron: the edge from `corner` to `corner + 1` is across which facet.
+const ACROSS: [(usize, usize, usize); 3] = [(1, 2, 3), (2, 3, 1), (3, 1, 2)];
+
+impl TetMesh {
+    /// Replaces the tetrahedra of `cavity` by those between `v` and its boundary.
+    ///
+    /// Afterwards [`Cavity3::tets`] are the new ones, with `v` as corner 0 and their homes settled. They
+    /// take the ids of the cavity, then vacant ones, then new ones; ids left over are vacated. Answers
+    /// `false`, with nothing changed, when ids run out.
+    pub(super) fn fill(&mut self, cavity: &mut Cavity3, v: VertexId) -> bool {
+        let count = cavity.boundary.len();
+        let missing = count.saturating_sub(cavity.tets.len() + self.vacant.len());
+        if self.tets.len() + missing > TetId::LIMIT {
+            return false;
+        }
+        let corners: Vec<[VertexId; 4]> = cavity
+            .boundary
+            .iter()
+            .map(|&outer| {
+                let [a, b, c] = self.facet_vertices(self.twin(outer));
+                [v, a, b, c]
+            })
+            .collect();
+        self.take_slots(cavity, count);
+        cavity.edges.clear();
+        for (&t, new) in cavity.tets.iter().zip(&corners) {
+            for (from, to, facet) in ACROSS {
+                cavity.edges.insert((new[from], new[to]), t.facet(facet));
+            }
+        }
+        for ((&t, new), &outer) in cavity.tets.iter().zip(&corners).zip(&cavity.boundary) {
+            let mut twins = t.facets();
+            twins[0] = outer;
+            for (from, to, facet) in ACROSS {
+                let partner = cavity.edges.get(&(new[to], new[from]));
+                debug_assert!(partner.is_some(), "the boundary of a cavity is closed");
+                twins[facet] = partner.copied().unwrap_or(t.facet(facet));
+            }
+            self.put(t, *new, twins);
+            self.set_twin(outer, t.facet(0));
+            self.settle(t);
+        }
+        true
+    }
+
+    /// Makes `cavity.tets` the ids of `count` tetrahedra to be stored.
+    fn take_slots(&mut self, cavity: &mut Cavity3, count: usize) {
+        for &t in cavity.tets.iter().skip(count) {
+            self.vacate(t);
+        }
+        cavity.tets.truncate(count);
+        while cavity.tets.len() < count {
+            let t = self.vacant.pop().unwrap_or_else(|| {
+                let t = TetId::new(self.tets.len());
+                self.put(t, [VertexId::GHOST; 4], t.facets());
+                t
+            });
+            cavity.tets.push(t);
+        }
+    }
+}

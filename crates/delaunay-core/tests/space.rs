@@ -1,0 +1,207 @@
+//! The triangulation of space: unique, Delaunay and closed on every kind of input.
+
+use delaunay_core::geo_predicates::{Sign, in_sphere, orient3d};
+use delaunay_core::{BuildError, Delaunay3, Extent, TetMesh, VertexId};
+use glam::DVec3;
+use rand::seq::SliceRandom;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+fn rng(seed: u64) -> ChaCha8Rng {
+    ChaCha8Rng::seed_from_u64(seed)
+}
+
+fn uniform(count: usize, seed: u64) -> Vec<DVec3> {
+    let mut rng = rng(seed);
+    (0..count)
+        .map(|_| DVec3::new(rng.random(), rng.random(), rng.random()))
+        .collect()
+}
+
+fn lattice(n: [u32; 3]) -> Vec<DVec3> {
+    let [a, b, c] = n;
+    let cells = (0..a).flat_map(move |i| (0..b).flat_map(move |j| (0..c).map(move |k| [i, j, k])));
+    cells.map(|cell| DVec3::from(cell.map(f64::from))).collect()
+}
+
+fn sphere(count: usize, seed: u64) -> Vec<DVec3> {
+    uniform(count, seed)
+        .into_iter()
+        .map(|p| (p * 2.0 - 1.0).normalize())
+        .collect()
+}
+
+fn skew_lines(count: u32) -> Vec<DVec3> {
+    let along = (0..count).map(f64::from);
+    along
+        .flat_map(|t| [DVec3::new(t, 0.0, 0.0), DVec3::new(0.5, t, 1.0)])
+        .collect()
+}
+
+fn hard_sets() -> Vec<(&'static str, Vec<DVec3>)> {
+    let snapped = uniform(300, 3).into_iter().map(|p| (p * 5.0).floor());
+    let planes = uniform(200, 4).into_iter().enumerate().map(|(i, p)| {
+        let height = [0.0, 1.0, 1.0 + 1e-15][i % 3];
+        DVec3::new(p.x, p.y, height)
+    });
+    let cylinder = (0..200).map(|i| {
+        let angle = std::f64::consts::TAU * f64::from(i % 20) / 20.0;
+        DVec3::new(angle.cos(), angle.sin(), f64::from(i / 20))
+    });
+    let clusters = uniform(300, 5).into_iter().enumerate().map(|(i, p)| {
+        let scale = [1e-5, 1e-9, 1e-13][i % 3];
+        p * scale + DVec3::splat([0.1, 0.5, 0.9][i % 3])
+    });
+    let tenths = lattice([5, 5, 5]).into_iter().map(|p| p * 0.1);
+    vec![
+        ("uniform", uniform(400, 1)),
+        ("lattice", lattice([6, 6, 6])),
+        ("flat lattice", lattice([3, 3, 2])),
+        ("sphere", sphere(200, 2)),
+        ("skew lines", skew_lines(20)),
+        ("snapped, with duplicates", snapped.collect()),
+        ("planes", planes.collect()),
+        ("cylinder", cylinder.collect()),
+        ("clusters", clusters.collect()),
+        ("tenths", tenths.collect()),
+        (
+            "tiny",
+            uniform(100, 6)
+                .iter()
+                .map(|p| *p * 2f64.powi(-100))
+                .collect(),
+        ),
+        (
+            "huge",
+            uniform(100, 7)
+                .iter()
+                .map(|p| *p * 2f64.powi(200))
+                .collect(),
+        ),
+    ]
+}
+
+/// The points named as in the first order: the canonical mesh over ids that do not depend on it.
+fn renamed(mesh: &TetMesh, names: &[usize]) -> Vec<[usize; 4]> {
+    let mut tets: Vec<[usize; 4]> = mesh
+        .tets()
+        .map(|t| {
+            let name = |v: VertexId| {
+                if v.is_ghost() {
+                    usize::MAX
+                } else {
+                    names[v.index()]
+                }
+            };
+            let mut corners = mesh.tet_vertices(t).map(name);
+            corners.sort_unstable();
+            corners
+        })
+        .collect();
+    tets.sort_unstable();
+    tets
+}
+
+#[test]
+fn every_hard_set_gives_a_sound_triangulation_of_its_hull() {
+    for (name, points) in hard_sets() {
+        let delaunay = Delaunay3::build(&points).unwrap();
+        assert_eq!(delaunay.check(), Ok(()), "{name}");
+        let distinct = points.len() - delaunay.duplicates().len();
+        assert_eq!(delaunay.vertex_count(), distinct, "{name}");
+    }
+}
+
+/// No vertex at all is strictly inside any circumsphere: quadratic, and independent of ties.
+#[test]
+fn brute_force_finds_no_vertex_in_a_circumsphere() {
+    for (name, points) in hard_sets() {
+        let delaunay = Delaunay3::build(&points[..points.len().min(120)]);
+        let Ok(delaunay) = delaunay else { continue };
+        for t in delaunay.tets() {
+            let [a, b, c, d] = delaunay.tetrahedron(t);
+            assert_eq!(orient3d(a, b, c, d), Sign::Positive, "{name}");
+            let mut inside = delaunay
+                .points()
+                .iter()
+                .filter(|&&e| in_sphere(a, b, c, d, e) == Sign::Positive);
+            assert_eq!(inside.next(), None, "{name}: {t}");
+        }
+    }
+}
+
+#[test]
+fn the_order_of_the_points_does_not_show() {
+    for (name, points) in hard_sets() {
+        // Of equal points the smallest id stands for all: name them by place.
+        let first = |p: DVec3| points.iter().position(|&q| q == p).unwrap();
+        let names: Vec<usize> = points.iter().map(|&p| first(p)).collect();
+        let expected = renamed(Delaunay3::build(&points).unwrap().mesh(), &names);
+        let mut order: Vec<usize> = (0..points.len()).collect();
+        for seed in 0..5 {
+            order.shuffle(&mut rng(seed));
+            let shuffled: Vec<DVec3> = order.iter().map(|&i| points[i]).collect();
+            let names: Vec<usize> = order.iter().map(|&i| names[i]).collect();
+            let mesh = Delaunay3::build(&shuffled).unwrap();
+            assert_eq!(renamed(mesh.mesh(), &names), expected, "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_lattice_is_filled_without_flat_tetrahedra() {
+    let delaunay = Delaunay3::build(&lattice([5, 4, 3])).unwrap();
+    let volume: f64 = delaunay
+        .tets()
+        .map(|t| {
+            let [a, b, c, d] = delaunay.tetrahedron(t);
+            (b - a).cross(c - a).dot(d - a)
+        })
+        .sum();
+    assert_eq!(volume, 6.0 * 4.0 * 3.0 * 2.0);
+}
+
+#[test]
+fn skew_lines_have_a_tetrahedron_for_each_pair_of_steps() {
+    let delaunay = Delaunay3::build(&skew_lines(20)).unwrap();
+    assert_eq!(delaunay.tets().count(), 19 * 19);
+}
+
+#[test]
+fn single_insertions_build_the_same_mesh() {
+    for (name, points) in hard_sets() {
+        let expected = Delaunay3::build(&points).unwrap();
+        let spanning = (4..=points.len()).find(|&n| Delaunay3::build(&points[..n]).is_ok());
+        let start = spanning.unwrap();
+        let mut delaunay = Delaunay3::build(&points[..start]).unwrap();
+        let mut ids: Vec<VertexId> = (0..start).map(VertexId::new).collect();
+        for &p in &points[start..] {
+            ids.push(delaunay.insert(p).unwrap().vertex());
+        }
+        assert_eq!(delaunay.check(), Ok(()), "{name}");
+        if expected.duplicates().is_empty() {
+            assert_eq!(
+                delaunay.mesh().canonical(),
+                expected.mesh().canonical(),
+                "{name}"
+            );
+        }
+    }
+}
+
+#[test]
+fn flat_sets_are_described() {
+    let extent = |points: &[DVec3]| match Delaunay3::build(points) {
+        Err(BuildError::Flat(flat)) => flat.extent(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(extent(&[]), Extent::Empty);
+    assert_eq!(extent(&[DVec3::ONE; 5]), Extent::Point);
+    let line: Vec<DVec3> = (0..9)
+        .map(|i| DVec3::new(0.1, 0.2, 0.3) * f64::from(i))
+        .collect();
+    assert_eq!(extent(&line[..2]), Extent::Line);
+    assert_eq!(extent(&lattice([7, 1, 1])), Extent::Line);
+    assert_eq!(extent(&lattice([4, 5, 1])), Extent::Plane);
+    assert_eq!(extent(&lattice([1, 4, 5])), Extent::Plane);
+}
