@@ -35,12 +35,16 @@ pub mod progress;
 mod error;
 mod hilbert;
 mod ids;
+mod memory;
+mod options;
 mod tet;
+mod threads;
 mod tri;
 
 pub use error::{BuildError, InsertError, MoveError, RemoveError};
 pub use geo_predicates;
 pub use ids::{FaceId, FacetId, HalfEdgeId, TetId, VertexId};
+pub use options::BuildOptions;
 pub use tet::{Cavity3, Delaunay3, FACET_CORNERS, Location3, Ring, Star, TetMesh, Violation3};
 pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,

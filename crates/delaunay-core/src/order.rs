@@ -9,164 +9,163 @@
 //! One `u64` per point carries round, place on the curve and index, so one sort of plain integers
 //! does it all. Points that share a cell of the curve's grid in great number are sorted again along a
 //! curve through their own bounding box: clusters at any scale keep short walks.
+//!
+//! | step | file |
+//! |---|---|
+//! | points of the plane and of space | `spatial.rs` |
+//! | the grid over their bounding box | `grid.rs` |
+//! | round, place and index in a key | `key.rs` |
+//! | sort the keys | `radix.rs` |
+//! | crowded cells | `crowd.rs` |
 
-use crate::hilbert::{LEVEL_BITS, place};
-use glam::DVec2;
+mod crowd;
+mod grid;
+mod key;
+mod radix;
+mod spatial;
 
-/// Size of a round over the size of all rounds before it: 2 to this power.
-///
-/// Eight was measured best among 2, 4, 8, 16 and 32, all within 4 % from 8 on.
-const ROUND_RATIO_LOG: u32 = 3;
+pub use spatial::Spatial;
 
-/// About the size of the first round.
-const FIRST_ROUND: usize = 1000;
+use crate::threads;
+use crowd::order_crowds;
+use grid::Grid;
+use key::KeyLayout;
+use radix::sort_by_bits;
+use std::ops::Range;
 
-/// Bits of the key that hold the round.
-const ROUND_BITS: u32 = 4;
-
-/// Finest grid for the curve, bits per axis.
-const MAX_GRID_BITS: u32 = 20;
-
-/// Points in one cell of the grid that are worth a curve of their own.
-const CROWD: usize = 32;
-
-/// Indices of `points` in insertion order: one entry per point, each index once.
+/// Indices of `points`, of the plane or of space, in insertion order: one entry per point, each index once.
 ///
 /// The order depends on the points and on nothing else. Takes n log n time. Points that are not finite
 /// come in some order too.
 ///
 /// # Panics
 /// When there are 2^32 points or more.
-#[must_use]
-pub fn insertion_order(points: &[DVec2]) -> Vec<u32> {
-    assert!(
-        u32::try_from(points.len()).is_ok(),
-        "more points than 32 bits can number"
-    );
-    let layout = KeyLayout::new(points.len());
-    let mut keys: Vec<u64> = (0..points.len() as u64)
-        .map(|index| round_of(index, points.len()) << layout.round_shift() | index)
-        .collect();
-    add_places(points, &mut keys, layout);
-    keys.sort_unstable();
-    order_crowds(points, &mut keys, layout);
-    keys.iter().map(|&key| layout.index(key) as u32).collect()
-}
-
-/// Where round, place and index sit in a key, from the highest bits to the lowest.
-#[derive(Clone, Copy)]
-struct KeyLayout {
-    index_bits: u32,
-    grid_bits: u32,
-}
-
-impl KeyLayout {
-    fn new(count: usize) -> Self {
-        let index_bits = (usize::BITS - count.leading_zeros()).max(1);
-        let room = (64 - ROUND_BITS - index_bits) / 2;
-        let grid_bits = room.min(MAX_GRID_BITS) / LEVEL_BITS * LEVEL_BITS;
-        Self {
-            index_bits,
-            grid_bits,
-        }
-    }
-
-    fn round_shift(self) -> u32 {
-        self.index_bits + 2 * self.grid_bits
-    }
-
-    fn index(self, key: u64) -> usize {
-        (key & ((1 << self.index_bits) - 1)) as usize
-    }
-
-    /// Round and place together: what points of one cell and round share.
-    fn cell(self, key: u64) -> u64 {
-        key >> self.index_bits
-    }
-}
-
-/// The round of a point, 0 for the first: seven of eight points are in the last round, seven of
-/// eight of the others in the last but one, and so on.
-fn round_of(index: u64, count: usize) -> u64 {
-    let doublings = (count / FIRST_ROUND).max(1).ilog2();
-    let last = (doublings / ROUND_RATIO_LOG).min((1 << ROUND_BITS) - 1);
-    let before_last = (hash(index).leading_zeros() / ROUND_RATIO_LOG).min(last);
-    u64::from(last - before_last)
-}
-
-/// A fixed scrambling of the index (the finalizer of `SplitMix64`): the seed of the random order.
-fn hash(index: u64) -> u64 {
-    let mut z = index.wrapping_add(0x9E37_79B9_7F4A_7C15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    z ^ (z >> 31)
-}
-
-/// Writes into each key the place of its point on the curve through the bounding box of them all;
-/// answers whether the box has a size, so that the places differ.
-fn add_places(points: &[DVec2], keys: &mut [u64], layout: KeyLayout) -> bool {
-    let grid = Grid::around(
-        keys.iter().map(|&key| points[layout.index(key)]),
-        layout.grid_bits,
-    );
-    for key in keys {
-        let [x, y] = grid.cell(points[layout.index(*key)]);
-        *key |= place(x, y, layout.grid_bits) << layout.index_bits;
-    }
-    grid.scale > 0.0
-}
-
-/// Sorts the points of every crowded cell along a curve of their own.
 ///
-/// Ends because the bounding box of a crowd spreads over all cells along its longer side, so each
-/// level splits it; equal points, which nothing splits, and points closer than accepted coordinates
-/// can be are left alone.
-fn order_crowds(points: &[DVec2], keys: &mut [u64], layout: KeyLayout) {
-    let crowds = keys.chunk_by_mut(|&a, &b| layout.cell(a) == layout.cell(b));
-    for crowd in crowds.filter(|crowd| crowd.len() > CROWD) {
-        for key in crowd.iter_mut() {
-            *key = layout.index(*key) as u64;
-        }
-        if add_places(points, crowd, layout) {
-            crowd.sort_unstable();
-            order_crowds(points, crowd, layout);
-        }
-    }
+/// ```
+/// use delaunay_core::order::insertion_order;
+/// use glam::DVec3;
+///
+/// let corners = [DVec3::ZERO, DVec3::ONE, DVec3::X];
+/// let mut order = insertion_order(&corners);
+/// order.sort_unstable();
+/// assert_eq!(order, [0, 1, 2]);
+/// ```
+#[must_use]
+pub fn insertion_order<P: Spatial>(points: &[P]) -> Vec<u32> {
+    Order::of(points, 1).indices
 }
 
-/// A square grid over a bounding box, 2^bits cells along the longer side.
-struct Grid {
-    corner: DVec2,
-    scale: f64,
-    last: f64,
+/// An insertion order and its structure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Order {
+    /// Indices of points in insertion order. A place in it is the *rank* of a point.
+    pub(crate) indices: Vec<u32>,
+    #[allow(dead_code)] // Read by builds on several threads.
+    /// The ranks of each round, one after the other; a round may be empty.
+    pub(crate) rounds: Vec<Range<usize>>,
+    #[allow(dead_code)] // Read by builds on several threads.
+    /// For each round, the rank at which it comes to each [stretch](Self::STRETCHES) of the curve.
+    pub(crate) stretches: Vec<[u32; Self::STRETCHES]>,
 }
 
-impl Grid {
-    fn around(points: impl Iterator<Item = DVec2>, bits: u32) -> Self {
-        let nowhere = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        let (low, high) = points.fold(nowhere, |(low, high), p| (low.min(p), high.max(p)));
-        let side = (high - low).max_element();
-        let cells = f64::from(1_u32 << bits);
-        let scale = cells / side;
-        // A box without a size, or too small for its cells to be counted per unit of length, has one cell.
-        let divisible = side > 0.0 && scale.is_finite();
-        let scale = if divisible { scale } else { 0.0 };
+impl Order {
+    /// The curve is cut into this many stretches, at the same places in all rounds, so that each holds
+    /// an equal share of the last round (except where many points are in one cell of the grid).
+    pub(crate) const STRETCHES: usize = 256;
+
+    /// The order of `points`, found on `threads` threads; it is the same for any number.
+    ///
+    /// # Panics
+    /// When there are 2^32 points or more.
+    pub(crate) fn of<P: Spatial>(points: &[P], threads: usize) -> Self {
+        assert!(
+            u32::try_from(points.len()).is_ok(),
+            "more points than 32 bits can number"
+        );
+        let layout = KeyLayout::new::<P>(points.len());
+        let mut keys = keys(points, layout, threads);
+        let width = layout.width();
+        let leading = width - layout.leading_bits(points.len());
+        sort_by_bits(&mut keys, leading..width, threads);
+        finish_runs(&mut keys, leading, threads);
+        let rounds = rounds(&keys, layout);
+        let stretches = stretches(&keys, &rounds, layout);
+        order_crowds(points, &mut keys, layout);
+        let indices = keys.iter().map(|&key| layout.index(key) as u32);
         Self {
-            corner: low,
-            scale,
-            last: cells - 1.0,
+            indices: indices.collect(),
+            rounds,
+            stretches,
         }
     }
+}
 
-    fn cell(&self, p: DVec2) -> [u32; 2] {
-        let place = (p - self.corner) * self.scale;
-        [place.x.min(self.last) as u32, place.y.min(self.last) as u32]
+fn keys<P: Spatial>(points: &[P], layout: KeyLayout, threads: usize) -> Vec<u64> {
+    let grid = Grid::around_all(points, layout.grid_bits, threads);
+    let mut keys = vec![0; points.len()];
+    let share = threads::share(points.len(), threads);
+    let shares = points.chunks(share).zip(keys.chunks_mut(share)).enumerate();
+    threads::for_each(shares.collect(), |(number, (points, keys))| {
+        let indices = number * share..;
+        for ((index, p), key) in indices.zip(points).zip(keys) {
+            *key = layout.key(index, p.place(&grid));
+        }
+    });
+    keys
+}
+
+/// Sorts keys that are sorted but for their lowest `low` bits.
+fn finish_runs(keys: &mut [u64], low: u32, threads: usize) {
+    let shares = cut_between_runs(keys, threads::share(keys.len(), threads), low);
+    threads::for_each(shares, |share| {
+        let runs = share.chunk_by_mut(|&a, &b| a >> low == b >> low);
+        runs.filter(|run| run.len() > 1)
+            .for_each(<[u64]>::sort_unstable);
+    });
+}
+
+/// Pieces of about `share` keys in which runs of keys that agree above the `low` lowest bits are whole.
+fn cut_between_runs(mut keys: &mut [u64], share: usize, low: u32) -> Vec<&mut [u64]> {
+    let mut pieces = Vec::new();
+    while let Some(&last) = keys.get(share - 1) {
+        let end = keys.partition_point(|&key| key >> low <= last >> low);
+        let (piece, rest) = keys.split_at_mut(end);
+        pieces.push(piece);
+        keys = rest;
     }
+    pieces.push(keys);
+    pieces
+}
+
+fn rounds(keys: &[u64], layout: KeyLayout) -> Vec<Range<usize>> {
+    let start = |round| keys.partition_point(|&key| key < layout.start_of_round(round));
+    let last = layout.last_round();
+    let starts: Vec<usize> = (0..=last).map(start).chain([keys.len()]).collect();
+    starts.windows(2).map(|pair| pair[0]..pair[1]).collect()
+}
+
+fn stretches(
+    keys: &[u64],
+    rounds: &[Range<usize>],
+    layout: KeyLayout,
+) -> Vec<[u32; Order::STRETCHES]> {
+    let last = rounds.last().map_or(&keys[..0], |last| &keys[last.clone()]);
+    let cuts: [u64; Order::STRETCHES] = std::array::from_fn(|stretch| {
+        let first = last.get(last.len() * stretch / Order::STRETCHES);
+        first.map_or(0, |&key| layout.place(key))
+    });
+    let rank = |round: &Range<usize>, cut| {
+        let before = keys[round.clone()].partition_point(|&key| layout.place(key) < cut);
+        (round.start + before) as u32
+    };
+    let of_round = |round| cuts.map(|cut| rank(round, cut));
+    rounds.iter().map(of_round).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::{DVec2, DVec3};
 
     fn spiral(count: usize) -> Vec<DVec2> {
         (0..count)
@@ -195,15 +194,6 @@ mod tests {
             assert_eq!(order.len(), count);
             assert_permutation(&order);
         }
-    }
-
-    #[test]
-    fn the_last_round_holds_seven_eighths() {
-        let count = 100_000;
-        let last = (0..count).map(|i| round_of(i, 100_000)).max();
-        let in_last = (0..count).filter(|&i| Some(round_of(i, 100_000)) == last);
-        let share = in_last.count() as f64 / count as f64;
-        assert!((share - 0.875).abs() < 0.01, "{share}");
     }
 
     #[test]
@@ -250,5 +240,60 @@ mod tests {
     fn a_million_equal_points_are_ordered_at_once() {
         let order = insertion_order(&vec![DVec2::ONE; 1_000_000]);
         assert_permutation(&order);
+    }
+
+    fn in_space(count: usize) -> Vec<DVec3> {
+        let plane = spiral(count);
+        let height = |i| (i as f64 * 0.569_840_290_998).fract();
+        plane
+            .iter()
+            .enumerate()
+            .map(|(i, p)| p.extend(height(i)))
+            .collect()
+    }
+
+    #[test]
+    fn points_of_space_come_once_each_in_short_steps() {
+        let points = in_space(30_000);
+        let order = Order::of(&points, 1);
+        assert_permutation(&order.indices);
+        let last = order.rounds.last().unwrap().clone();
+        let steps = order.indices[last].windows(2).map(|w| {
+            let [a, b] = [w[0], w[1]].map(|index| points[index as usize]);
+            a.distance(b)
+        });
+        let mean = steps.sum::<f64>() / 26_250.0;
+        assert!(mean < 1.3 * 26_250_f64.powf(-1.0 / 3.0), "{mean}");
+    }
+
+    #[test]
+    fn the_order_is_the_same_for_any_number_of_threads() {
+        let mut points = spiral(20_000);
+        let cluster: Vec<DVec2> = points.iter().map(|p| *p * 1e-12).collect();
+        points.extend(cluster);
+        points.extend(vec![DVec2::ONE; 3000]);
+        let space = in_space(20_000);
+        let expected = (Order::of(&points, 1), Order::of(&space, 1));
+        for threads in [2, 3, 8, 16] {
+            let found = (Order::of(&points, threads), Order::of(&space, threads));
+            assert_eq!(found, expected, "{threads}");
+        }
+    }
+
+    #[test]
+    fn rounds_follow_each_other_and_stretches_cut_them_at_the_same_places() {
+        let points = spiral(100_000);
+        let order = Order::of(&points, 1);
+        assert_eq!(order.rounds.len(), 3);
+        let ends: Vec<usize> = order.rounds.iter().map(|round| round.end).collect();
+        assert_eq!((order.rounds[0].start, ends[2]), (0, 100_000));
+        for (round, stretches) in order.rounds.iter().zip(&order.stretches) {
+            assert_eq!(stretches[0] as usize, round.start);
+            assert!(stretches.is_sorted() && stretches[255] as usize <= round.end);
+            // Even stretches of an even cloud: the middle of the curve is the middle of every round.
+            let before_middle = stretches[128] as usize - round.start;
+            let half = round.len() as f64 / 2.0;
+            assert!((before_middle as f64 - half).abs() < 0.1 * half + 50.0);
+        }
     }
 }

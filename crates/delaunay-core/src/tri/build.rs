@@ -12,7 +12,9 @@ use super::flat::Flat;
 use super::mesh::TriMesh;
 use crate::error::BuildError;
 use crate::ids::{HalfEdgeId, VertexId};
-use crate::order::insertion_order;
+use crate::memory::vec_with_capacity;
+use crate::options::BuildOptions;
+use crate::order::Order;
 use crate::progress::{Meter, Progress, silent};
 use geo_predicates::filter::Filter2;
 use geo_predicates::{Sign, check_points2, orient2d};
@@ -50,6 +52,28 @@ impl Delaunay2 {
         points: &[DVec2],
         report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Self, BuildError> {
+        Self::build_on(points, BuildOptions::default(), report)
+    }
+
+    /// As [`build_with`](Self::build_with), on several threads or in pages of another size.
+    ///
+    /// # Errors
+    /// As [`build_with`](Self::build_with).
+    ///
+    /// ```
+    /// # use delaunay_core::{BuildError, BuildOptions, Delaunay2, progress::silent};
+    /// # use glam::DVec2;
+    /// let points: Vec<DVec2> = (0..100).map(|i| DVec2::new(f64::from(i % 10), f64::from(i / 10))).collect();
+    /// let one = Delaunay2::build(&points)?;
+    /// let two = Delaunay2::build_on(&points, BuildOptions::on_threads(2), &mut silent)?;
+    /// assert_eq!(one.mesh().canonical(), two.mesh().canonical());
+    /// # Ok::<(), BuildError>(())
+    /// ```
+    pub fn build_on(
+        points: &[DVec2],
+        options: BuildOptions,
+        report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Self, BuildError> {
         if points.len() > Self::MAX_POINTS {
             return Err(BuildError::TooManyPoints {
                 count: points.len(),
@@ -58,21 +82,23 @@ impl Delaunay2 {
         }
         check_points2(points)?;
         let mut meter = Meter::start(report, "triangulate", points.len())?;
-        let order = insertion_order(points);
-        let coords = in_order(points, &order);
+        let order = Order::of(points, options.threads.get());
+        let coords = in_order(points, &order.indices);
         let Some(triangle) = first_triangle(&coords) else {
             return Err(BuildError::Flat(Box::new(Flat::sorted(points))));
         };
-        let mut delaunay = Self::of_triangle(coords, triangle);
+        let mut delaunay = Self::of_triangle(coords, triangle, options);
         let duplicates = delaunay.insert_rest(triangle, &mut meter)?;
-        delaunay.renumber(points, &order, duplicates);
+        delaunay.renumber(points, &order.indices, duplicates);
         Ok(delaunay)
     }
 
     /// The triangulation of three of the coordinates, counterclockwise.
-    fn of_triangle(coords: Vec<DVec2>, triangle: [VertexId; 3]) -> Self {
-        let mut mesh = TriMesh::default();
-        mesh.faces.reserve_exact(2 * coords.len());
+    fn of_triangle(coords: Vec<DVec2>, triangle: [VertexId; 3], options: BuildOptions) -> Self {
+        let mut mesh = TriMesh {
+            faces: vec_with_capacity(2 * coords.len(), options.huge_pages),
+            outgoing: Vec::new(),
+        };
         glue_triangle(&mut mesh, triangle);
         Self {
             filter: Filter2::for_points(&coords[1..]),
