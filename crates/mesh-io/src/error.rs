@@ -63,6 +63,14 @@ pub enum ReadProblem {
         /// The offending value.
         value: f64,
     },
+    /// The weight of a point is infinite or NaN.
+    #[error("point {index}: the weight is {value}, which is not a finite number")]
+    WeightNotFinite {
+        /// Index of the point, from 0.
+        index: usize,
+        /// The offending value.
+        value: f64,
+    },
     /// An element names another that does not exist.
     #[error("{element} {index}: there is no {names} {found}")]
     NoSuch {
@@ -84,6 +92,25 @@ pub enum ReadProblem {
         claimed: u64,
         /// The number found.
         found: u64,
+    },
+    /// The last of the raw numbers make no whole point.
+    #[error("{bytes} bytes are no whole number of points of {each} bytes each")]
+    PartOfPoint {
+        /// Bytes in the file.
+        bytes: usize,
+        /// Bytes per point.
+        each: usize,
+    },
+    /// Raw numbers under a name that does not tell the dimension, and nobody else did.
+    #[error(
+        "how many coordinates a point has must be told, or the file called NAME.2d.f64 or NAME.3d.f64"
+    )]
+    NoDimension,
+    /// There are no weights, but the caller wants some.
+    #[error("the points have no weights: {expected} is missing")]
+    NoWeights {
+        /// What would hold them.
+        expected: &'static str,
     },
     /// The file asks for more memory than one of its size may have.
     #[error("the arrays unpack to more than {limit} bytes, the most for a file of this size")]

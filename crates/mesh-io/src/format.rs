@@ -30,12 +30,16 @@ pub enum Format {
     Xy,
     /// Three coordinates a line, `.xyz`.
     Xyz,
+    /// Raw little-endian doubles, `.f64`.
+    Raw,
+    /// Polygon File Format, `.ply`.
+    Ply,
 }
 
 impl Format {
     /// Every name that [`Format::from_path`] knows, for messages.
     pub const EXTENSIONS: &'static str =
-        ".vtu .msh .p3d .p3b blockMeshDict .node .ele .poly .off .svg .xy .xyz";
+        ".vtu .msh .p3d .p3b blockMeshDict .node .ele .poly .off .svg .xy .xyz .f64 .ply";
 
     /// The format that a path names by its file name or extension (in any case); `None` when it names none.
     #[must_use]
@@ -54,6 +58,8 @@ impl Format {
             "svg" => Self::Svg,
             "xy" => Self::Xy,
             "xyz" => Self::Xyz,
+            "f64" => Self::Raw,
+            "ply" => Self::Ply,
             _ => return None,
         })
     }
@@ -74,6 +80,8 @@ impl fmt::Display for Format {
             Self::Svg => "SVG",
             Self::Xy => "xy text",
             Self::Xyz => "xyz text",
+            Self::Raw => "raw f64",
+            Self::Ply => "PLY",
         })
     }
 }

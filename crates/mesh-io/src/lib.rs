@@ -25,7 +25,9 @@
 //! | `.node`, `.ele` | [`triangle`] | mesh | triangles or tetrahedra | markers, and data without names |
 //! | `.poly` | [`triangle`] | planar graph | planar graph | everything but names of data |
 //! | `.off` | [`off`] | mesh | cells without volume | points and cells |
-//! | `.xy`, `.xyz` | [`xy`] | points | points | points |
+//! | `.xy`, `.xyz` | [`xy`] | points | points | points; weights are read |
+//! | `.2d.f64`, `.3d.f64` | [`raw`] | points | points | points and weights |
+//! | `.ply` | [`ply`] | points | | points; weights are read |
 //! | `DOMAIN.toml` | [`circles_toml`] | circles | circles | everything |
 //!
 //! The crate knows no geometry: nothing is oriented, repaired or judged here but form. What it promises instead:
@@ -56,7 +58,11 @@ mod numbers;
 pub mod off;
 mod planar_graph;
 pub mod plot3d;
+pub mod ply;
+mod points;
+pub mod raw;
 mod read;
+mod read_points;
 pub mod svg;
 pub mod triangle;
 pub mod vtu;
@@ -72,5 +78,7 @@ pub use format::Format;
 pub use mesh::{Axis, DataArray, Mesh, MeshDefect};
 pub use numbers::Encoding;
 pub use planar_graph::{PlanarGraph, Region};
-pub use read::{read_blocks, read_circles, read_mesh, read_planar_graph, read_points};
+pub use points::{Coordinates, Dimension, OffPlane, Points, PointsWanted};
+pub use read::{read_blocks, read_circles, read_mesh, read_planar_graph};
+pub use read_points::read_points;
 pub use write::{write_blocks, write_circles, write_mesh, write_planar_graph};

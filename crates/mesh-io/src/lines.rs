@@ -1,14 +1,18 @@
 //! Text formats made of lines of words: the next line that says something, and the next word on it as a number.
+//!
+//! Only ASCII blanks separate words, so a line is cut byte by byte without decoding a character.
 
 use std::fmt::Arguments;
-use std::str::{FromStr, SplitWhitespace};
+use std::str::FromStr;
+
+use memchr::memchr;
 
 use crate::error::{ReadError, ReadProblem};
 use crate::mesh::first_not_finite;
 
 /// The lines of a text that are neither blank nor a comment.
 pub(crate) struct Lines<'a> {
-    lines: std::iter::Enumerate<std::str::Lines<'a>>,
+    rest: &'a str,
     /// Number of the line read last, from 1.
     last: usize,
     /// Number of bytes in the whole text.
@@ -20,7 +24,7 @@ pub(crate) struct Line<'a> {
     /// From 1.
     pub(crate) number: usize,
     pub(crate) text: &'a str,
-    words: SplitWhitespace<'a>,
+    words: Words<'a>,
 }
 
 impl<'a> Lines<'a> {
@@ -30,7 +34,7 @@ impl<'a> Lines<'a> {
             .map_err(|error| ReadError::at_byte(error.valid_up_to(), ReadProblem::NotText))?;
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         Ok(Self {
-            lines: text.lines().enumerate(),
+            rest: text,
             last: 0,
             length: text.len(),
         })
@@ -38,14 +42,17 @@ impl<'a> Lines<'a> {
 
     /// The next line; `None` at the end of the file.
     pub(crate) fn next(&mut self) -> Option<Line<'a>> {
-        for (index, line) in self.lines.by_ref() {
-            self.last = index + 1;
-            let text = line.split('#').next().unwrap_or_default().trim();
+        while !self.rest.is_empty() {
+            let (line, rest) = cut(self.rest, b'\n');
+            self.rest = rest;
+            self.last += 1;
+            let (said, _comment) = cut(line, b'#');
+            let text = said.trim_ascii();
             if !text.is_empty() {
                 return Some(Line {
-                    number: index + 1,
+                    number: self.last,
                     text,
-                    words: text.split_whitespace(),
+                    words: Words(text),
                 });
             }
         }
@@ -71,6 +78,29 @@ impl<'a> Lines<'a> {
     /// Room for as many lines as are announced, but for no more than the text can hold.
     pub(crate) fn room_for(&self, announced: usize) -> usize {
         announced.min(self.length / 2)
+    }
+}
+
+/// What stands before the first `mark`, and what stands behind it.
+fn cut(text: &str, mark: u8) -> (&str, &str) {
+    let (before, from_mark) = memchr(mark, text.as_bytes())
+        .and_then(|at| text.split_at_checked(at))
+        .unwrap_or((text, ""));
+    (before, from_mark.get(1..).unwrap_or_default())
+}
+
+/// What stands between ASCII blanks.
+struct Words<'a>(&'a str);
+
+impl<'a> Iterator for Words<'a> {
+    type Item = &'a str;
+
+    fn next(&mut self) -> Option<&'a str> {
+        let rest = self.0.trim_ascii_start();
+        let length = rest.bytes().position(|byte| byte.is_ascii_whitespace());
+        let (word, rest) = rest.split_at_checked(length.unwrap_or(rest.len()))?;
+        self.0 = rest;
+        (!word.is_empty()).then_some(word)
     }
 }
 

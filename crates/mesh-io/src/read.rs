@@ -13,6 +13,7 @@ use crate::format::Format;
 use crate::mesh::Mesh;
 use crate::numbers::Encoding;
 use crate::planar_graph::PlanarGraph;
+use crate::points::Coordinates;
 use crate::{circles_toml, connectivity_map, msh, off, plot3d, triangle, vtu, xy};
 
 /// Bytes read at most from a device or a pipe, which may never end.
@@ -21,20 +22,19 @@ const LONGEST_STREAM: u64 = 1 << 30;
 /// The mesh in a file of any format that holds one.
 ///
 /// Points alone (`.xy`, `.xyz`, `.node`) make a mesh without cells; a `.poly` makes one of segments; structured blocks make one of
-/// quads. An `.ele` needs the `.node` beside it.
+/// quads. An `.ele` needs the `.node` beside it. A `.ply` and raw numbers are read as points only, see [`read_points`](crate::read_points).
 ///
 /// # Errors
 /// A [`ReadError`] that names the file, and the line and element where one is to blame. O(file).
 pub fn read_mesh(path: &Path) -> Result<Mesh, ReadError> {
-    named(path, |format, bytes| match format {
-        Format::Xy => Ok(Mesh {
-            points: xy::parse(bytes)?.into_iter().map(flat).collect(),
-            ..Mesh::default()
-        }),
-        Format::Xyz => Ok(Mesh {
-            points: xy::parse(bytes)?,
-            ..Mesh::default()
-        }),
+    named(path, |format, bytes| mesh_of(path, format, bytes))
+}
+
+/// The mesh in the bytes of the file at `path`.
+pub(crate) fn mesh_of(path: &Path, format: Format, bytes: &[u8]) -> Result<Mesh, ReadError> {
+    match format {
+        Format::Xy => Ok(points_alone(Coordinates::Plane(xy::parse(bytes)?))),
+        Format::Xyz => Ok(points_alone(Coordinates::Space(xy::parse(bytes)?))),
         Format::Off => off::parse(bytes),
         Format::Msh => msh::parse(bytes).map(|file| file.mesh),
         Format::TriangleNode => triangle::parse_node(bytes).map(Mesh::from),
@@ -45,7 +45,14 @@ pub fn read_mesh(path: &Path) -> Result<Mesh, ReadError> {
             Ok(blocks_of(path, format, bytes)?.to_mesh()?)
         }
         _ => Err(unsupported(format, "a mesh")),
-    })
+    }
+}
+
+fn points_alone(points: Coordinates) -> Mesh {
+    Mesh {
+        points: points.into_space(),
+        ..Mesh::default()
+    }
 }
 
 /// The blocks in a Plot3D file, with names and connections from the `.map` beside it, where there is one.
@@ -54,14 +61,6 @@ pub fn read_mesh(path: &Path) -> Result<Mesh, ReadError> {
 /// A [`ReadError`] that names the file, and the line or byte and the element where one is to blame. O(file).
 pub fn read_blocks(path: &Path) -> Result<StructuredBlocks, ReadError> {
     named(path, |format, bytes| blocks_of(path, format, bytes))
-}
-
-/// The points in a file of any format that holds some; planar ones have `z = 0`.
-///
-/// # Errors
-/// A [`ReadError`] that names the file, and the line and element where one is to blame. O(file).
-pub fn read_points(path: &Path) -> Result<Vec<[f64; 3]>, ReadError> {
-    read_mesh(path).map(|mesh| mesh.points)
 }
 
 /// The circles in a `DOMAIN.toml`, whatever the file is called.
@@ -105,16 +104,12 @@ fn nodes_beside(path: &Path) -> Result<triangle::Nodes, ReadError> {
     })
 }
 
-fn flat([x, y]: [f64; 2]) -> [f64; 3] {
-    [x, y, 0.0]
-}
-
 fn unsupported(format: Format, what: &str) -> ReadError {
     ReadProblem::Unsupported(format!("reading {what} from {format}")).into()
 }
 
 /// Parses the bytes of a file by its format; every error names the file.
-fn named<T>(
+pub(crate) fn named<T>(
     path: &Path,
     parse: impl FnOnce(Format, &[u8]) -> Result<T, ReadError>,
 ) -> Result<T, ReadError> {

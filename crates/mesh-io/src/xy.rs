@@ -1,11 +1,14 @@
-//! Points as plain text: one a line, coordinates between blanks or commas, `#` before comments.
+//! Points as plain text: one a line, coordinates (and perhaps a weight) between blanks or commas, `#` before comments.
 
+use std::fmt::Arguments;
 use std::io::Write;
+use std::str::Split;
 
 use crate::error::{ReadError, WriteError, WriteProblem};
 use crate::format::Format;
 use crate::lines::{Line, Lines};
 use crate::mesh::{Axis, Mesh};
+use crate::points::checked_weight;
 
 /// The points of an `.xy` (`N = 2`) or `.xyz` file (`N = 3`), one for each line that is not blank.
 ///
@@ -15,34 +18,74 @@ pub fn parse<const N: usize>(bytes: &[u8]) -> Result<Vec<[f64; N]>, ReadError> {
     let mut lines = Lines::new(bytes)?;
     let mut points = Vec::new();
     while let Some(line) = lines.next() {
-        points.push(point(line, points.len())?);
+        let (mut row, index) = (Row::of(line), points.len());
+        points.push(row.coordinates(index)?);
+        row.end(format_args!("the {N} coordinates of point {index}"))?;
     }
     Ok(points)
 }
 
-fn point<const N: usize>(mut line: Line<'_>, index: usize) -> Result<[f64; N], ReadError> {
-    if !line.text.contains(',') {
-        let point = line.coordinates("point", index)?;
-        line.end(format_args!("the {N} coordinates of point {index}"))?;
-        return Ok(point);
+/// As [`parse`], with a weight in a further column.
+///
+/// # Errors
+/// As [`parse`], and a weight that is missing or not a finite number. O(file).
+pub fn parse_weighted<const N: usize>(
+    bytes: &[u8],
+) -> Result<(Vec<[f64; N]>, Vec<f64>), ReadError> {
+    let mut lines = Lines::new(bytes)?;
+    let (mut points, mut weights) = (Vec::new(), Vec::new());
+    while let Some(line) = lines.next() {
+        let (mut row, index) = (Row::of(line), points.len());
+        points.push(row.coordinates(index)?);
+        let weight = row.number(format_args!("the weight of point {index}"))?;
+        weights.push(checked_weight(index, weight).map_err(|problem| row.line.problem(problem))?);
+        row.end(format_args!("the weight of point {index}"))?;
     }
-    let mut point = [0.0; N];
-    let mut fields = line.text.split(',').map(str::trim);
-    for (coordinate, axis) in point.iter_mut().zip(Axis::ALL) {
-        let field = fields.next().unwrap_or_default();
-        let expected = format_args!("coordinate {axis} of point {index}");
-        *coordinate = field
-            .parse()
-            .map_err(|_| line.unexpected(expected, field))?;
+    Ok((points, weights))
+}
+
+/// The numbers of one line, between blanks or between commas.
+struct Row<'a> {
+    line: Line<'a>,
+    commas: Option<Split<'a, char>>,
+}
+
+impl<'a> Row<'a> {
+    fn of(line: Line<'a>) -> Self {
+        let commas = line.text.contains(',').then(|| line.text.split(','));
+        Self { line, commas }
     }
-    if let Some(field) = fields.next() {
-        return Err(line.unexpected(
-            format_args!("nothing after the {N} coordinates of point {index}"),
-            field,
-        ));
+
+    fn coordinates<const N: usize>(&mut self, index: usize) -> Result<[f64; N], ReadError> {
+        let mut point = [0.0; N];
+        for (coordinate, axis) in point.iter_mut().zip(Axis::ALL) {
+            *coordinate = self.number(format_args!("coordinate {axis} of point {index}"))?;
+        }
+        self.line.finite("point", index, &point)?;
+        Ok(point)
     }
-    line.finite("point", index, &point)?;
-    Ok(point)
+
+    fn number(&mut self, expected: Arguments<'_>) -> Result<f64, ReadError> {
+        let Some(fields) = &mut self.commas else {
+            return self.line.number(expected);
+        };
+        let field = fields.next().unwrap_or_default().trim_ascii();
+        let number = field.parse();
+        number.map_err(|_| self.line.unexpected(expected, field))
+    }
+
+    /// Refuses a number that nothing asked for.
+    fn end(&mut self, after: Arguments<'_>) -> Result<(), ReadError> {
+        let Some(fields) = &mut self.commas else {
+            return self.line.end(after);
+        };
+        let found = fields.next().map(str::trim_ascii);
+        found.map_or(Ok(()), |field| {
+            Err(self
+                .line
+                .unexpected(format_args!("nothing after {after}"), field))
+        })
+    }
 }
 
 /// Writes the points of a mesh without cells, so that reading gives the same bits. Markers and data are left out.
@@ -99,6 +142,20 @@ mod tests {
         insta::assert_snapshot!(error("0 nan"), @"line 1: point 0: y is NaN, which is not a finite number");
         insta::assert_snapshot!(error("1e999,0"), @"line 1: point 0: x is inf, which is not a finite number");
         insta::assert_snapshot!(parse::<2>(b"0 0\n1 \xff").unwrap_err(), @"byte 6: not text in UTF-8");
+    }
+
+    #[test]
+    fn a_further_column_is_the_weight() {
+        let text = b"0 1 0.5\n2,3,-4 # by commas\n";
+        assert_eq!(
+            parse_weighted::<2>(text).unwrap(),
+            (vec![[0.0, 1.0], [2.0, 3.0]], vec![0.5, -4.0])
+        );
+        let error = |text: &str| parse_weighted::<2>(text.as_bytes()).unwrap_err();
+        insta::assert_snapshot!(error("0 0 1\n0 0"), @"line 2: expected the weight of point 1, found the end of the line");
+        insta::assert_snapshot!(error("0,0"), @"line 1: expected the weight of point 0, found ``");
+        insta::assert_snapshot!(error("0 0 inf"), @"line 1: point 0: the weight is inf, which is not a finite number");
+        insta::assert_snapshot!(error("0 0 1 2"), @"line 1: expected nothing after the weight of point 0, found `2`");
     }
 
     #[test]
