@@ -8,6 +8,9 @@ use tempfile::NamedTempFile;
 
 use crate::error::WriteError;
 
+/// Bytes that are gathered before the operating system is asked to take them.
+const BUFFER: usize = 1 << 18;
+
 /// Lets `write` fill a file and puts it at `path` when all went well; otherwise `path` is left as it was.
 ///
 /// The bytes go to a temporary file in the same folder, which is renamed at the end. A symbolic link stays, and what it leads to is
@@ -17,17 +20,38 @@ use crate::error::WriteError;
 /// What `write` answers and what the operating system refuses, naming `path`.
 pub fn write_atomically(
     path: &Path,
-    write: impl FnOnce(&mut BufWriter<File>) -> Result<(), WriteError>,
+    write: impl FnOnce(&mut StagedWriter<'_>) -> Result<(), WriteError>,
 ) -> Result<(), WriteError> {
-    Staged::fill(path, write)?.publish()
+    Staged::fill(path, &mut |_| (), write)?.publish()
+}
+
+/// What a file is written through before it comes to its place.
+pub type StagedWriter<'r> = BufWriter<Counted<'r>>;
+
+/// A file that tells how many bytes each write adds.
+pub struct Counted<'r> {
+    file: File,
+    report: &'r mut dyn FnMut(usize),
+}
+
+impl Write for Counted<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let count = self.file.write(bytes)?;
+        (self.report)(count);
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
 }
 
 /// A file that is written but not yet at its place.
-pub(crate) struct Staged<'p> {
+pub(crate) struct Staged {
     file: NamedTempFile,
     target: Target,
     /// As the caller calls it.
-    path: &'p Path,
+    path: PathBuf,
 }
 
 /// How a file comes to its place.
@@ -59,21 +83,30 @@ impl Target {
     }
 }
 
-impl<'p> Staged<'p> {
+impl Staged {
     pub(crate) fn fill(
-        path: &'p Path,
-        write: impl FnOnce(&mut BufWriter<File>) -> Result<(), WriteError>,
+        path: &Path,
+        report: &mut dyn FnMut(usize),
+        write: impl FnOnce(&mut StagedWriter<'_>) -> Result<(), WriteError>,
     ) -> Result<Self, WriteError> {
         let target = Target::of(path);
         let fill = || {
             let file = target.new_file()?;
-            let mut buffer = BufWriter::new(file.as_file().try_clone()?);
+            let counted = Counted {
+                file: file.as_file().try_clone()?,
+                report,
+            };
+            let mut buffer = BufWriter::with_capacity(BUFFER, counted);
             write(&mut buffer)?;
             buffer.flush()?;
             Ok(file)
         };
         let file = fill().map_err(|error: WriteError| error.in_file(path))?;
-        Ok(Self { file, target, path })
+        Ok(Self {
+            file,
+            target,
+            path: path.to_owned(),
+        })
     }
 
     pub(crate) fn publish(self) -> Result<(), WriteError> {
@@ -85,7 +118,7 @@ impl<'p> Staged<'p> {
                 .map_err(|error| error.error),
             Target::Stream(target) => pour(&self.file, target),
         };
-        published.map_err(|error| WriteError::from(error).in_file(self.path))
+        published.map_err(|error| WriteError::from(error).in_file(&self.path))
     }
 }
 

@@ -63,6 +63,15 @@ impl Format {
             _ => return None,
         })
     }
+
+    /// Whether it holds structured blocks as such, not only their cells.
+    #[must_use]
+    pub const fn holds_blocks(self) -> bool {
+        matches!(
+            self,
+            Self::Plot3dAscii | Self::Plot3dBinary | Self::BlockMeshDict
+        )
+    }
 }
 
 impl fmt::Display for Format {

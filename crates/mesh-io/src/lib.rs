@@ -35,7 +35,7 @@
 //! - a reader answers any bytes with data that pass [`Mesh::check`] (or its like), or with a [`ReadError`] that names line or byte,
 //!   element and value; it allocates for what it has seen, never for what a header claims, and unpacks no more than a stated
 //!   multiple of the file;
-//! - a writer puts a whole file at its place or leaves what was there ([`write_atomically`]); a format that has no place for a cell
+//! - a writer puts a whole file at its place or leaves what was there ([`write_atomically`], [`Outputs`] for several); a format that has no place for a cell
 //!   refuses it, and what else is left out stands in the table;
 //! - what is written and read back has the same bits, but for a `z` of -0.0 in a planar file, which is 0.0.
 //!
@@ -56,6 +56,7 @@ mod mesh;
 pub mod msh;
 mod numbers;
 pub mod off;
+mod outputs;
 mod planar_graph;
 pub mod plot3d;
 pub mod ply;
@@ -69,7 +70,7 @@ pub mod vtu;
 mod write;
 pub mod xy;
 
-pub use atomic::write_atomically;
+pub use atomic::{Counted, StagedWriter, write_atomically};
 pub use blocks::{BlockSide, BlocksDefect, Connection, StructuredBlock, StructuredBlocks};
 pub use cell::{Cell, CellKind, Cells};
 pub use circles::{CirclesDomain, Frame, Hole};
@@ -77,6 +78,7 @@ pub use error::{Place, ReadError, ReadProblem, WriteError, WriteProblem};
 pub use format::Format;
 pub use mesh::{Axis, DataArray, Mesh, MeshDefect};
 pub use numbers::Encoding;
+pub use outputs::Outputs;
 pub use planar_graph::{PlanarGraph, Region};
 pub use points::{Coordinates, Dimension, OffPlane, Points, PointsWanted};
 pub use read::{read_blocks, read_circles, read_mesh, read_planar_graph};

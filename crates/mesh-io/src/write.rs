@@ -1,9 +1,9 @@
 //! Writing a file in the format that its path names.
 
+use std::io::Write;
 use std::path::Path;
 
-use crate::atomic::{Staged, write_atomically};
-use crate::block_mesh_dict::{self, Thickness};
+use crate::atomic::write_atomically;
 use crate::blocks::StructuredBlocks;
 use crate::cell::Cell;
 use crate::circles::CirclesDomain;
@@ -11,8 +11,9 @@ use crate::error::{WriteError, WriteProblem};
 use crate::format::Format;
 use crate::mesh::Mesh;
 use crate::numbers::Encoding;
+use crate::outputs::Outputs;
 use crate::planar_graph::PlanarGraph;
-use crate::{circles_toml, connectivity_map, msh, off, plot3d, triangle, vtu, xy};
+use crate::{circles_toml, msh, off, triangle, vtu, xy};
 
 /// Writes a mesh, as a whole or not at all. Cells are never left out; markers and data are where a format has no place for them.
 ///
@@ -22,18 +23,23 @@ use crate::{circles_toml, connectivity_map, msh, off, plot3d, triangle, vtu, xy}
 /// A [`WriteError`] that names the file: the path names no format, the format cannot hold the cells, the mesh contradicts itself,
 /// the operating system refuses. O(mesh).
 pub fn write_mesh(path: &Path, mesh: &Mesh) -> Result<(), WriteError> {
-    let format = format_of(path)?;
-    if matches!(format, Format::TriangleNode | Format::TriangleEle) {
-        return write_nodes_and_elements(path, mesh);
-    }
-    write_atomically(path, |out| match format {
+    published(|outputs| outputs.mesh(path, mesh))
+}
+
+/// Writes one file of a mesh.
+pub(crate) fn write_as(
+    out: &mut impl Write,
+    format: Format,
+    mesh: &Mesh,
+) -> Result<(), WriteError> {
+    match format {
         Format::Xy | Format::Xyz => xy::write(out, format, mesh),
         Format::Off => off::write(out, mesh),
         Format::Msh => msh::write(out, mesh, &[], Encoding::Ascii),
         Format::TrianglePoly => triangle::write_poly(out, &graph_of(mesh)?),
         Format::Vtu => vtu::write(out, mesh),
         _ => Err(unsupported(format, "a mesh")),
-    })
+    }
 }
 
 /// Writes structured blocks, as a whole or not at all: as blocks where the format has them, as a mesh of quads elsewhere.
@@ -43,19 +49,13 @@ pub fn write_mesh(path: &Path, mesh: &Mesh) -> Result<(), WriteError> {
 /// # Errors
 /// Like [`write_mesh`]. O(nodes).
 pub fn write_blocks(path: &Path, blocks: &StructuredBlocks) -> Result<(), WriteError> {
-    match format_of(path)? {
-        Format::Plot3dAscii => write_grids_and_map(path, blocks, Encoding::Ascii),
-        Format::Plot3dBinary => write_grids_and_map(path, blocks, Encoding::Binary),
-        Format::BlockMeshDict => write_atomically(path, |out| {
-            block_mesh_dict::write(out, blocks, Thickness::default())
-        }),
-        _ => {
-            let mesh = blocks
-                .to_mesh()
-                .map_err(|defect| WriteError::from(defect).in_file(path))?;
-            write_mesh(path, &mesh)
-        }
+    if format_of(path)?.holds_blocks() {
+        return published(|outputs| outputs.blocks(path, blocks));
     }
+    let mesh = blocks
+        .to_mesh()
+        .map_err(|defect| WriteError::from(defect).in_file(path))?;
+    write_mesh(path, &mesh)
 }
 
 /// Writes circles as a `DOMAIN.toml`, as a whole or not at all.
@@ -77,27 +77,13 @@ pub fn write_planar_graph(path: &Path, graph: &PlanarGraph) -> Result<(), WriteE
     }
 }
 
-fn write_grids_and_map(
-    path: &Path,
-    blocks: &StructuredBlocks,
-    encoding: Encoding,
+fn published(
+    write: impl FnOnce(&mut Outputs<'_>) -> Result<(), WriteError>,
 ) -> Result<(), WriteError> {
-    let map = connectivity_map::path_beside(path);
-    let grids = Staged::fill(path, |out| plot3d::write(out, blocks, encoding))?;
-    let connections = Staged::fill(&map, |out| connectivity_map::write(out, blocks))?;
-    grids.publish()?;
-    connections.publish()
-}
-
-fn write_nodes_and_elements(path: &Path, mesh: &Mesh) -> Result<(), WriteError> {
-    let (node, ele) = (path.with_extension("node"), path.with_extension("ele"));
-    let nodes = Staged::fill(&node, |out| triangle::write_node(out, mesh))?;
-    if format_of(path)? == Format::TriangleNode && mesh.cells.is_empty() {
-        return nodes.publish();
-    }
-    let elements = Staged::fill(&ele, |out| triangle::write_ele(out, mesh))?;
-    nodes.publish()?;
-    elements.publish()
+    let mut silent = |_| ();
+    let mut outputs = Outputs::new(&mut silent);
+    write(&mut outputs)?;
+    outputs.publish()
 }
 
 /// The graph of a planar mesh that has only segments.
@@ -130,7 +116,7 @@ fn graph_of(mesh: &Mesh) -> Result<PlanarGraph, WriteError> {
     })
 }
 
-fn format_of(path: &Path) -> Result<Format, WriteError> {
+pub(crate) fn format_of(path: &Path) -> Result<Format, WriteError> {
     Format::from_path(path)
         .ok_or_else(|| WriteError::from(WriteProblem::UnknownFormat).in_file(path))
 }
