@@ -68,7 +68,9 @@ impl Tiling {
         let delaunay = Delaunay2::build_with(&points, report).map_err(|error| match error {
             BuildError::Cancelled(cancelled) => BlockingError::Cancelled(cancelled),
             BuildError::TooManyPoints { limit, .. } => BlockingError::TooManySamples { limit },
-            BuildError::Coordinate(_) | BuildError::Flat(_) => BlockingError::Unresolved,
+            BuildError::Coordinate(_) | BuildError::Flat(_) | BuildError::TooManyTets { .. } => {
+                BlockingError::Unresolved
+            }
         })?;
         if delaunay.duplicates().is_empty() {
             Ok(Self { delaunay, corners })
