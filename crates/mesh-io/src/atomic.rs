@@ -109,6 +109,11 @@ impl Staged {
         })
     }
 
+    /// Whether it will be poured into a device or a pipe, where that can still fail half way.
+    pub(crate) const fn is_for_stream(&self) -> bool {
+        matches!(self.target, Target::Stream(_))
+    }
+
     pub(crate) fn publish(self) -> Result<(), WriteError> {
         let published = match &self.target {
             Target::File(target) => self

@@ -156,6 +156,24 @@ impl Cells {
         }
     }
 
+    /// Triangles alone, from the corners of each; copies no corner.
+    #[must_use]
+    pub fn of_triangles(corners: Vec<[u32; 3]>) -> Self {
+        Self {
+            kinds: vec![CellKind::Triangle; corners.len()],
+            corners: corners.into_flattened(),
+        }
+    }
+
+    /// Tetrahedra alone, from the corners of each; copies no corner.
+    #[must_use]
+    pub fn of_tetrahedra(corners: Vec<[u32; 4]>) -> Self {
+        Self {
+            kinds: vec![CellKind::Tetrahedron; corners.len()],
+            corners: corners.into_flattened(),
+        }
+    }
+
     /// Appends a cell. Amortised O(1).
     pub fn push(&mut self, cell: Cell) {
         self.kinds.push(cell.kind());
@@ -225,6 +243,16 @@ mod tests {
             Cell::Hexahedron([0, 1, 2, 3, 4, 5, 6, 7]),
         ];
         assert!(Cells::from_iter(cells).iter().eq(cells));
+    }
+
+    #[test]
+    fn simplices_at_once_are_those_one_by_one() {
+        let [triangles, tetrahedra] = [vec![[0, 1, 2], [2, 1, 3]], vec![[4, 5, 6], [7, 8, 9]]];
+        let one_by_one = triangles.iter().copied().map(Cell::Triangle).collect();
+        assert_eq!(Cells::of_triangles(triangles), one_by_one);
+        let tetrahedra: Vec<[u32; 4]> = tetrahedra.iter().map(|&[a, b, c]| [a, b, c, 0]).collect();
+        let one_by_one = tetrahedra.iter().copied().map(Cell::Tetrahedron).collect();
+        assert_eq!(Cells::of_tetrahedra(tetrahedra), one_by_one);
     }
 
     #[test]

@@ -78,7 +78,7 @@ pub use error::{Place, ReadError, ReadProblem, WriteError, WriteProblem};
 pub use format::Format;
 pub use mesh::{Axis, DataArray, Mesh, MeshDefect};
 pub use numbers::Encoding;
-pub use outputs::Outputs;
+pub use outputs::{Outputs, companion};
 pub use planar_graph::{PlanarGraph, Region};
 pub use points::{Coordinates, Dimension, OffPlane, Points, PointsWanted};
 pub use read::{read_blocks, read_circles, read_mesh, read_planar_graph};

@@ -1,6 +1,6 @@
 //! The files of one run, which appear together or not at all.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::atomic::{Staged, StagedWriter};
 use crate::block_mesh_dict::{self, Thickness};
@@ -114,12 +114,26 @@ impl<'r> Outputs<'r> {
         Ok(())
     }
 
-    /// Puts all files at their places, in the order in which they were written.
+    /// Puts all files at their places: into devices and pipes first, where writing can still fail, then by renaming.
     ///
     /// # Errors
-    /// The first renaming that the operating system refuses, naming the file.
+    /// The first of them that the operating system refuses, naming the file.
     pub fn publish(self) -> Result<(), WriteError> {
-        self.staged.into_iter().try_for_each(Staged::publish)
+        let (streams, files): (Vec<_>, Vec<_>) =
+            self.staged.into_iter().partition(Staged::is_for_stream);
+        let mut all = streams.into_iter().chain(files);
+        all.try_for_each(Staged::publish)
+    }
+}
+
+/// The file that [`Outputs`] writes beside `path`: elements beside points, points beside elements, a map beside Plot3D.
+#[must_use]
+pub fn companion(path: &Path) -> Option<PathBuf> {
+    match Format::from_path(path)? {
+        Format::TriangleNode => Some(path.with_extension("ele")),
+        Format::TriangleEle => Some(path.with_extension("node")),
+        Format::Plot3dAscii | Format::Plot3dBinary => Some(connectivity_map::path_beside(path)),
+        _ => None,
     }
 }
 

@@ -44,7 +44,7 @@ pub(crate) fn write_as(
 
 /// Writes structured blocks, as a whole or not at all: as blocks where the format has them, as a mesh of quads elsewhere.
 ///
-/// Plot3D comes with a [`connectivity_map`] beside it.
+/// Plot3D comes with a [`connectivity_map`](crate::connectivity_map) beside it.
 ///
 /// # Errors
 /// Like [`write_mesh`]. O(nodes).

@@ -1,12 +1,12 @@
 //! From the plain data of files to the types of the methods, and back.
 
-use delaunay_core::Delaunay2;
-use glam::DVec2;
+use delaunay_core::{Delaunay2, Delaunay3, VertexId};
+use glam::{DVec2, DVec3};
 use medial_blocking::{Block, BlockGrid, BlockMesh, Circle, Domain, DomainError, WallName};
 use mesh_io::{
-    BlockSide, Cell, Cells, CirclesDomain, Connection, Frame, Mesh, StructuredBlock,
-    StructuredBlocks,
+    BlockSide, Cells, CirclesDomain, Connection, Frame, Mesh, StructuredBlock, StructuredBlocks,
 };
+use rayon::prelude::*;
 
 /// The domain that circles from a file describe.
 ///
@@ -85,39 +85,61 @@ pub fn patch_name(wall: WallName) -> String {
 }
 
 /// A triangulation as a plain mesh: every point given, duplicates too, and the triangles.
+///
+/// The triangles are in canonical order: each from its smallest corner on, sorted by their corners. So the
+/// mesh depends on the triangulation alone, not on the numbers of its faces. O(n log n).
 #[must_use]
 pub fn triangle_mesh(delaunay: &Delaunay2) -> Mesh {
-    let mut cells = Cells::default();
-    for face in delaunay.faces() {
-        let corners = delaunay.mesh().face_vertices(face);
-        cells.push(Cell::Triangle(corners.map(|vertex| vertex.index() as u32)));
-    }
-    Mesh::new(delaunay.points().iter().copied().map(flat).collect(), cells)
+    let corners = |face| delaunay.mesh().face_vertices(face).map(number);
+    let mut triangles: Vec<[u32; 3]> = delaunay.faces().map(corners).map(from_smallest).collect();
+    triangles.par_sort_unstable();
+    let points = delaunay.points().iter().copied().map(flat).collect();
+    Mesh::new(points, Cells::of_triangles(triangles))
 }
 
-/// The points of a file as points of the plane.
+/// A triangulation as a plain mesh: every point given, duplicates too, and the tetrahedra.
 ///
-/// # Errors
-/// The index and height of the first point that does not lie in the plane z = 0.
-pub fn planar_points(points: &[[f64; 3]]) -> Result<Vec<DVec2>, NotPlanar> {
-    let planar = |(index, &[x, y, z]): (usize, &[f64; 3])| {
-        if z == 0.0 {
-            Ok(DVec2::new(x, y))
-        } else {
-            Err(NotPlanar { index, z })
-        }
-    };
-    points.iter().enumerate().map(planar).collect()
+/// The tetrahedra are in canonical order: the corners of each ascending, but for the first two where
+/// that would turn it inside out, sorted by their corners. So the mesh depends on the triangulation alone,
+/// not on the numbers of its tetrahedra. O(n log n).
+#[must_use]
+pub fn tetrahedron_mesh(delaunay: &Delaunay3) -> Mesh {
+    let corners = |tet| delaunay.mesh().tet_vertices(tet).map(number);
+    let mut tetrahedra: Vec<[u32; 4]> = delaunay.tets().map(corners).map(ascending).collect();
+    tetrahedra.par_sort_unstable();
+    let points = delaunay.points().iter().map(DVec3::to_array).collect();
+    Mesh::new(points, Cells::of_tetrahedra(tetrahedra))
 }
 
-/// A point of space where a point of the plane is needed.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("point {index} lies at z = {z}, points of the plane are needed")]
-pub struct NotPlanar {
-    /// The point, counted from 0.
-    pub index: usize,
-    /// Its height.
-    pub z: f64,
+/// Vertex ids are 32 bits wide.
+fn number(vertex: VertexId) -> u32 {
+    vertex.index() as u32
+}
+
+/// The same cyclic order from the smallest on.
+fn from_smallest([a, b, c]: [u32; 3]) -> [u32; 3] {
+    if b < a && b < c {
+        [b, c, a]
+    } else if c < a && c < b {
+        [c, a, b]
+    } else {
+        [a, b, c]
+    }
+}
+
+/// An even permutation into ascending order, but for the first two where it takes an odd one.
+fn ascending(mut corners: [u32; 4]) -> [u32; 4] {
+    let mut odd = false;
+    for [i, j] in [[0, 1], [2, 3], [0, 2], [1, 3], [1, 2]] {
+        if corners[i] > corners[j] {
+            corners.swap(i, j);
+            odd = !odd;
+        }
+    }
+    if odd {
+        corners.swap(0, 1);
+    }
+    corners
 }
 
 fn flat(p: DVec2) -> [f64; 3] {
@@ -151,10 +173,22 @@ mod tests {
     }
 
     #[test]
-    fn points_off_the_plane_are_named() {
-        assert_eq!(
-            planar_points(&[[0.0; 3], [1.0, 2.0, -3.0]]),
-            Err(NotPlanar { index: 1, z: -3.0 })
-        );
+    fn canonical_corners_are_an_even_permutation() {
+        let even = |order: &[usize]| {
+            let pairs = (0..order.len()).flat_map(|i| (i + 1..order.len()).map(move |j| (i, j)));
+            pairs.filter(|&(i, j)| order[i] > order[j]).count() % 2 == 0
+        };
+        let permutations = (0..256u32).map(|code| [0, 2, 4, 6].map(|shift| code >> shift & 3));
+        for corners in permutations.filter(|p| (0..4).all(|k| p.contains(&k))) {
+            let sorted = ascending(corners);
+            assert_eq!(sorted[2..], [2, 3]);
+            assert_eq!(
+                even(&sorted.map(|k| k as usize)),
+                even(&corners.map(|k| k as usize))
+            );
+        }
+        for cyclic in [[0, 5, 3], [5, 3, 0], [3, 0, 5]] {
+            assert_eq!(from_smallest(cyclic), [0, 5, 3]);
+        }
     }
 }

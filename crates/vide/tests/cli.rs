@@ -1,10 +1,12 @@
 //! The `vide` program from outside: files in, files out, exit codes and error lines.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod folder;
 
+use std::path::Path;
+use std::process::Command;
+
+use folder::{Folder, text};
 use proptest::prelude::*;
-use tempfile::TempDir;
 use vide::mesh_io::{CellKind, read_mesh};
 
 const TWO_HOLES: &str = r#"
@@ -39,50 +41,6 @@ centre = [0.85, 0.6]
 radius = 0.15
 "#;
 
-/// A folder with some files in it, in which the program runs.
-struct Folder(TempDir);
-
-impl Folder {
-    fn with(files: &[(&str, &str)]) -> Self {
-        let folder = Self(tempfile::tempdir().expect("a temporary folder can be made"));
-        for (name, contents) in files {
-            std::fs::write(folder.path(name), contents).expect("a file can be written");
-        }
-        folder
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.path().join(name)
-    }
-
-    fn vide(&self, arguments: &[&str]) -> Output {
-        let program = Command::new(env!("CARGO_BIN_EXE_vide"))
-            .current_dir(self.0.path())
-            .args(arguments)
-            .output();
-        program.expect("the program can be started")
-    }
-
-    /// The error line of a run that must fail with exit code 1 and leave no new file behind.
-    fn error(&self, arguments: &[&str]) -> String {
-        let before = self.names();
-        let output = self.vide(arguments);
-        let error = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {error}");
-        assert_eq!(error.lines().count(), 1, "{error}");
-        assert_eq!(before, self.names(), "{arguments:?} left files behind");
-        assert!(output.stdout.is_empty());
-        error
-    }
-
-    fn names(&self) -> Vec<std::ffi::OsString> {
-        let entries = std::fs::read_dir(self.0.path()).expect("the folder exists");
-        let mut names: Vec<_> = entries.flatten().map(|entry| entry.file_name()).collect();
-        names.sort();
-        names
-    }
-}
-
 fn quads(path: &Path) -> usize {
     let mesh = read_mesh(path).unwrap_or_else(|error| panic!("{error}"));
     mesh.cells
@@ -90,10 +48,6 @@ fn quads(path: &Path) -> usize {
         .iter()
         .filter(|&&kind| kind == CellKind::Quad)
         .count()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
 }
 
 #[test]
@@ -147,26 +101,6 @@ fn the_result_does_not_depend_on_the_number_of_threads() {
     }
     let bytes = |name: &str| std::fs::read(folder.path(name)).unwrap();
     assert!(bytes("1.vtu") == bytes("2.vtu") && bytes("1.vtu") == bytes("3.vtu"));
-}
-
-#[test]
-fn points_become_triangles_and_quality_reads_them_back() {
-    let points = "0 0\n1 0\n1 1\n0 1\n0.5 0.5\n0.5 0.5\n";
-    let folder = Folder::with(&[("points.xy", points)]);
-    let output = folder.vide(&["delaunay", "points.xy", "-o", "a.vtu", "-o", "a.ele"]);
-    let first = text(&output.stdout).lines().next().map(str::to_owned);
-    assert_eq!(
-        first.as_deref(),
-        Some("4 triangles, 5 vertices, 1 duplicates")
-    );
-    for name in ["a.vtu", "a.ele"] {
-        let said = text(&folder.vide(&["quality", name, "--worst", "2"]).stdout);
-        assert!(said.starts_with("4 cells, 6 vertices"), "{said}");
-        assert!(
-            said.contains("worst triangle.min_angle: 0 (45.0000), 1 (45.0000)"),
-            "{said}"
-        );
-    }
 }
 
 #[test]
@@ -243,7 +177,7 @@ fn any_number_of_threads_is_as_many_as_there_are() {
 fn a_reader_that_has_gone_away_is_no_error() {
     let folder = Folder::with(&[("two.toml", TWO_HOLES)]);
     let mut child = Command::new(env!("CARGO_BIN_EXE_vide"))
-        .current_dir(folder.0.path())
+        .current_dir(folder.path(""))
         .args(["block", "two.toml", "-o", "a.vtu"])
         .stdout(std::process::Stdio::piped())
         .spawn()
@@ -296,7 +230,7 @@ proptest! {
         // Every second file is cut short as well.
         let cut = keep.index(2 * domain.len());
         domain.truncate(cut);
-        let folder = Folder::with(&[]);
+        let folder = Folder::with::<&str>(&[]);
         std::fs::write(folder.path("spoilt.toml"), &domain).unwrap();
         let output = folder.vide(&["block", "spoilt.toml", "--cells", "4", "-o", "a.off"]);
         match output.status.code() {

@@ -78,13 +78,13 @@ fn vertices(body: &mut Body<'_>, element: &Element, weighted: bool) -> Result<Po
     let coordinates = if has(Axis::Z) {
         let mut points = Vec::with_capacity(room);
         each_vertex(body, element, &roles, &mut weights, |point| {
-            points.push(point)
+            points.push(point);
         })?;
         Coordinates::Space(points)
     } else {
         let mut points = Vec::with_capacity(room);
         each_vertex(body, element, &roles, &mut weights, |[x, y, _]| {
-            points.push([x, y])
+            points.push([x, y]);
         })?;
         Coordinates::Plane(points)
     };
@@ -132,8 +132,7 @@ fn each_vertex(
     weights: &mut Vec<f64>,
     mut push: impl FnMut([f64; 3]),
 ) -> Result<(), ReadError> {
-    let mut index = 0;
-    for _ in 0..element.count {
+    for (index, _) in (0..element.count).enumerate() {
         let start = body.at();
         let mut point = [0.0; 3];
         for (property, role) in element.properties.iter().zip(roles) {
@@ -155,7 +154,6 @@ fn each_vertex(
         }
         check(body, start, index, &point)?;
         push(point);
-        index += 1;
     }
     Ok(())
 }

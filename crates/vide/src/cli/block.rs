@@ -1,6 +1,6 @@
 //! `vide block`: circles in, blocks out.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use std::io::Write;
@@ -10,13 +10,13 @@ use vide::medial_blocking::{
     BlockMesh, Blocking, BlockingError, COLLAPSED, CellCounts, Domain, MAX_CELLS, NodeMatching,
     Params,
 };
-use vide::mesh_io::{Format, StructuredBlocks, read_circles, write_atomically, write_blocks};
+use vide::mesh_io::{Format, read_circles};
 use vide::picture::block_picture;
 use vide::quality::measure_quads;
 
 use super::Common;
 use super::failure::Failure;
-use super::output::{check_formats, check_places};
+use super::output::{check_formats, check_places, write_together};
 use super::progress::Watch;
 use super::report::Report;
 
@@ -65,21 +65,30 @@ const FORMATS: [Format; 6] = [
 pub(crate) fn run(args: &BlockArgs) -> Result<(), Failure> {
     check_formats(&args.output, &FORMATS, "structured blocks")?;
     let others = args.svg.iter().chain(&args.common.report);
-    check_places(&args.domain, args.output.iter().chain(others))?;
+    check_places(&args.domain, &args.output, others)?;
     let mut watch = Watch::new(args.common.quiet);
     let domain = watch.stage("read", |_| read_domain(args))?;
     let mesh = blocked(args, &domain, &mut watch)?;
     let blocks = structured_blocks(&mesh);
-    let vertices = blocks
+    let merged = blocks
         .to_mesh()
-        .map_err(|defect| Failure::input(&args.domain, defect))?
-        .points
-        .len();
-    let mut report = watch.stage("measure", |_| report_of(&mesh, vertices));
-    watch.stage("write", |_| write(args, &mesh, &blocks))?;
-    report.seconds = watch.finish().into_iter().collect();
-    args.common.say(&summary(&report));
-    report.write(args.common.report.as_deref())
+        .map_err(|defect| Failure::input(&args.domain, defect))?;
+    let report = watch.stage("measure", |_| report_of(&mesh, merged.points.len()));
+    let said = summary(&report);
+    let picture = picture(args, &mesh)?;
+    write_together(watch, report, args.common.report.as_deref(), |outputs| {
+        for path in &args.output {
+            match Format::from_path(path) {
+                Some(format) if format.holds_blocks() => outputs.blocks(path, &blocks)?,
+                _ => outputs.mesh(path, &merged)?,
+            }
+        }
+        picture.map_or(Ok(()), |(path, svg)| {
+            outputs.file(path, |out| Ok(out.write_all(svg.as_bytes())?))
+        })
+    })?;
+    args.common.say(&said);
+    Ok(())
 }
 
 fn read_domain(args: &BlockArgs) -> Result<Domain, Failure> {
@@ -121,22 +130,23 @@ fn params(args: &BlockArgs, blocks: usize) -> Result<Params, BlockingError> {
     Ok(Params { cells, matching })
 }
 
-fn write(args: &BlockArgs, mesh: &BlockMesh, blocks: &StructuredBlocks) -> Result<(), Failure> {
-    args.output
-        .iter()
-        .try_for_each(|path| write_blocks(path, blocks))?;
-    if let Some(path) = &args.svg {
-        let title = args
-            .domain
-            .file_stem()
-            .map(|stem| stem.to_string_lossy())
-            .unwrap_or_default();
-        let picture = block_picture(mesh, &title)
-            .to_svg()
-            .map_err(|error| Failure::input(&args.domain, error))?;
-        write_atomically(path, |out| Ok(out.write_all(picture.as_bytes())?))?;
-    }
-    Ok(())
+/// The picture asked for, and where it is to lie.
+fn picture<'a>(
+    args: &'a BlockArgs,
+    mesh: &BlockMesh,
+) -> Result<Option<(&'a Path, String)>, Failure> {
+    let Some(path) = &args.svg else {
+        return Ok(None);
+    };
+    let title = args
+        .domain
+        .file_stem()
+        .map(|stem| stem.to_string_lossy())
+        .unwrap_or_default();
+    let svg = block_picture(mesh, &title)
+        .to_svg()
+        .map_err(|error| Failure::input(&args.domain, error))?;
+    Ok(Some((path, svg)))
 }
 
 fn report_of(mesh: &BlockMesh, vertices: usize) -> Report {

@@ -16,6 +16,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 use rayon::ThreadPoolBuilder;
+use vide::delaunay_core::BuildOptions;
 
 use failure::Failure;
 
@@ -80,6 +81,11 @@ impl Common {
         if !self.quiet {
             let _ = std::io::stdout().write_all(text.as_bytes());
         }
+    }
+
+    /// How the kernels of triangulation run on the threads at hand.
+    fn build_options() -> BuildOptions {
+        BuildOptions::on_threads(rayon::current_num_threads())
     }
 
     /// Runs `work` on the number of threads asked for.

@@ -1,11 +1,14 @@
 //! Output files: looked at before the work begins, so that a wrong name costs no time and leaves
-//! nothing half done.
+//! nothing half done; and written so that all of them appear or none.
 
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
-use vide::mesh_io::{Format, WriteError, WriteProblem};
+use vide::mesh_io::{Format, Outputs, WriteError, WriteProblem, companion};
 
 use super::failure::Failure;
+use super::progress::Watch;
+use super::report::Report;
 
 /// Checks that every path names a format among `formats`.
 pub(crate) fn check_formats(
@@ -27,26 +30,48 @@ pub(crate) fn check_formats(
     Ok(())
 }
 
-/// Checks that every output lies in a folder that exists, is named once, and is not the input.
+/// Checks that every output lies in a folder that exists, is named once, and is not the input; and that
+/// what is written beside `meshes` is neither the input nor one of `others`.
 pub(crate) fn check_places<'a>(
     input: &Path,
-    outputs: impl IntoIterator<Item = &'a PathBuf>,
+    meshes: &'a [PathBuf],
+    others: impl IntoIterator<Item = &'a PathBuf>,
 ) -> Result<(), Failure> {
     let mut taken = vec![place(input)];
-    for path in outputs {
-        let failed = |problem| Failure::Output {
-            path: path.clone(),
-            problem,
-        };
-        check_folder(path).map_err(failed)?;
-        let own = place(path);
-        match taken.iter().position(|other| *other == own) {
-            Some(0) => return Err(failed("is the input")),
-            Some(_) => return Err(failed("named twice as an output")),
-            None => taken.push(own),
-        }
+    for path in others {
+        take(path, &mut taken)?;
     }
+    let not_meshes = taken.len();
+    for path in meshes {
+        take(path, &mut taken)?;
+    }
+    let mut beside = meshes.iter().filter_map(|path| companion(path));
+    beside.try_for_each(|path| check_free(&path, &taken[..not_meshes]))
+}
+
+/// Checks that a file can lie where `path` says, and adds it to those that do.
+fn take(path: &Path, taken: &mut Vec<PathBuf>) -> Result<(), Failure> {
+    check_folder(path).map_err(|problem| failed(path, problem))?;
+    check_free(path, taken)?;
+    taken.push(place(path));
     Ok(())
+}
+
+/// Checks that a file is neither the input, which comes first, nor another output.
+fn check_free(path: &Path, taken: &[PathBuf]) -> Result<(), Failure> {
+    let own = place(path);
+    match taken.iter().position(|other| *other == own) {
+        Some(0) => Err(failed(path, "is the input")),
+        Some(_) => Err(failed(path, "named twice as an output")),
+        None => Ok(()),
+    }
+}
+
+fn failed(path: &Path, problem: &'static str) -> Failure {
+    Failure::Output {
+        path: path.to_owned(),
+        problem,
+    }
 }
 
 /// Where a file lies, however its folder is written.
@@ -73,4 +98,25 @@ fn check_folder(path: &Path) -> Result<(), &'static str> {
     } else {
         Ok(())
     }
+}
+
+/// Lets `write` make the output files, adds the report where one is asked for, and puts all of them at
+/// their places.
+pub(crate) fn write_together(
+    mut watch: Watch,
+    mut report: Report,
+    report_path: Option<&Path>,
+    write: impl FnOnce(&mut Outputs<'_>) -> Result<(), WriteError>,
+) -> Result<(), Failure> {
+    report.seconds = watch.seconds();
+    let start = Instant::now();
+    let mut written = |bytes| watch.written(bytes);
+    let mut outputs = Outputs::new(&mut written);
+    write(&mut outputs)?;
+    let seconds = start.elapsed().as_secs_f64();
+    report.seconds.insert("write".to_owned(), seconds);
+    if let Some(path) = report_path {
+        outputs.file(path, |out| report.write(out))?;
+    }
+    Ok(outputs.publish()?)
 }

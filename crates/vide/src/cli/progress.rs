@@ -1,11 +1,12 @@
 //! A progress bar on the terminal's standard error for work that takes longer than a second, and
 //! the time of each stage.
 
+use std::collections::BTreeMap;
 use std::io::IsTerminal;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
 use vide::delaunay_core::progress::Progress;
 
 /// Work that is done sooner shows no bar.
@@ -51,16 +52,29 @@ impl Watch {
         ControlFlow::Continue(())
     }
 
-    /// Removes the bar; every stage with its seconds, in order.
-    pub(crate) fn finish(self) -> Vec<(String, f64)> {
-        if let Some(bar) = self.bar {
-            bar.finish_and_clear();
+    /// Hears how many bytes are written; how many there will be is not known.
+    pub(crate) fn written(&mut self, bytes: u64) {
+        if self.visible && self.start.elapsed() > PATIENCE {
+            let bar = self.bar.get_or_insert_with(bar);
+            bar.set_style(style("{msg:14} {decimal_bytes}"));
+            bar.set_message("write");
+            bar.set_position(bytes);
         }
-        self.stages
+    }
+
+    /// Every stage so far with its seconds.
+    pub(crate) fn seconds(&self) -> BTreeMap<String, f64> {
+        self.stages.iter().cloned().collect()
     }
 }
 
+/// A bar that is gone when the watch is, however the work ends.
 fn bar() -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:14} {bar:40} {percent:>3} % {eta:>4}");
-    ProgressBar::new(0).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    ProgressBar::new(0)
+        .with_style(style("{msg:14} {bar:40} {percent:>3} % {eta:>4}"))
+        .with_finish(ProgressFinish::AndClear)
+}
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }

@@ -8,7 +8,7 @@ use vide::quality::{Measured, measure_mesh};
 
 use super::Common;
 use super::failure::Failure;
-use super::output::check_places;
+use super::output::{check_places, write_together};
 use super::progress::Watch;
 use super::report::Report;
 
@@ -25,7 +25,7 @@ pub(crate) struct QualityArgs {
 }
 
 pub(crate) fn run(args: &QualityArgs) -> Result<(), Failure> {
-    check_places(&args.mesh, &args.common.report)?;
+    check_places(&args.mesh, &[], &args.common.report)?;
     let mut watch = Watch::new(args.common.quiet);
     let mesh = watch.stage("read", |_| read_mesh(&args.mesh))?;
     let measured = watch.stage("measure", |_| measure_mesh(&mesh));
@@ -41,15 +41,16 @@ pub(crate) fn run(args: &QualityArgs) -> Result<(), Failure> {
         ..Report::default()
     };
     report.measure(&measured);
-    report.seconds = watch.finish().into_iter().collect();
-    args.common.say(&format!(
+    let said = format!(
         "{} cells, {} vertices\n{}{}",
         report.elements,
         report.vertices,
         report.quality_table(),
         worst_cells(&measured, args.worst)
-    ));
-    report.write(args.common.report.as_deref())
+    );
+    write_together(watch, report, args.common.report.as_deref(), |_| Ok(()))?;
+    args.common.say(&said);
+    Ok(())
 }
 
 /// A line per measure that lists its worst cells; nothing for none.

@@ -2,18 +2,18 @@
 
 use std::collections::BTreeMap;
 use std::io::Write;
-use std::path::Path;
 
 use serde::Serialize;
 use vide::delaunay_core::measure::AngleSummary;
-use vide::mesh_io::write_atomically;
+use vide::mesh_io::WriteError;
 use vide::quality::Measured;
-
-use super::failure::Failure;
 
 /// The report of any subcommand; what a command does not make is left out.
 #[derive(Default, Serialize)]
 pub(crate) struct Report {
+    /// Of the triangulation, 2 or 3.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) dimension: Option<usize>,
     pub(crate) vertices: usize,
     pub(crate) elements: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -30,6 +30,12 @@ pub(crate) struct Report {
     pub(crate) leaning_arcs: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) duplicates: Option<usize>,
+    /// Vertices on the border of the convex hull, those that are no corners included.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) hull_vertices: Option<usize>,
+    /// Edges of the hull in the plane, facets in space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) hull_sides: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) angle: Option<Angle>,
     pub(crate) quality: BTreeMap<String, Spread>,
@@ -101,14 +107,10 @@ impl Report {
         }
     }
 
-    /// Writes the report if a file is named.
-    pub(crate) fn write(&self, path: Option<&Path>) -> Result<(), Failure> {
-        let Some(path) = path else { return Ok(()) };
-        write_atomically(path, |out| {
-            serde_json::to_writer_pretty(&mut *out, self).map_err(std::io::Error::from)?;
-            Ok(writeln!(out)?)
-        })?;
-        Ok(())
+    /// Writes the report as JSON.
+    pub(crate) fn write(&self, out: &mut impl Write) -> Result<(), WriteError> {
+        serde_json::to_writer_pretty(&mut *out, self).map_err(std::io::Error::from)?;
+        Ok(writeln!(out)?)
     }
 
     /// A table of all measures, a line each.

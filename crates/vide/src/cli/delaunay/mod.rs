@@ -1,0 +1,103 @@
+//! `vide delaunay`: points in, triangles or tetrahedra out.
+
+mod input;
+mod plane;
+mod space;
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use vide::mesh_io::{Dimension, Format, Mesh};
+use vide::quality::measure_mesh;
+
+use super::Common;
+use super::failure::Failure;
+use super::output::{check_formats, check_places, write_together};
+use super::progress::Watch;
+use super::report::Report;
+
+#[derive(Args)]
+pub(crate) struct DelaunayArgs {
+    /// Points, by extension: .xy .xyz .node .ply .2d.f64 .3d.f64, or those of a mesh: .off .vtu .msh
+    #[arg(value_name = "POINTS")]
+    points: PathBuf,
+    /// Triangles or tetrahedra to write, by extension: .vtu .msh .ele, triangles also .off; may be
+    /// repeated
+    #[arg(short, long, value_name = "OUT", required = true)]
+    output: Vec<PathBuf>,
+    /// Triangles of the plane or tetrahedra of space; else as the points say, those with z = 0
+    /// everywhere being of the plane
+    #[arg(long, value_enum, value_name = "2|3")]
+    dim: Option<Dim>,
+    #[command(flatten)]
+    pub(super) common: Common,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Dim {
+    #[value(name = "2")]
+    Plane,
+    #[value(name = "3")]
+    Space,
+}
+
+impl From<Dim> for Dimension {
+    fn from(dim: Dim) -> Self {
+        match dim {
+            Dim::Plane => Self::Plane,
+            Dim::Space => Self::Space,
+        }
+    }
+}
+
+/// What came out, ready to be written.
+struct Triangulated {
+    mesh: Mesh,
+    report: Report,
+}
+
+const FORMATS: [Format; 5] = [
+    Format::Vtu,
+    Format::Msh,
+    Format::TriangleNode,
+    Format::TriangleEle,
+    // Has no place for tetrahedra.
+    Format::Off,
+];
+
+pub(crate) fn run(args: &DelaunayArgs) -> Result<(), Failure> {
+    check_formats(&args.output, &FORMATS, "triangles or tetrahedra")?;
+    check_places(&args.points, &args.output, &args.common.report)?;
+    let mut watch = Watch::new(args.common.quiet);
+    let points = watch.stage("read", |_| input::read(args))?;
+    let Triangulated { mesh, mut report } = match input::dimension(args, &points) {
+        Dimension::Plane => plane::triangulate(args, points, &mut watch)?,
+        Dimension::Space => {
+            check_formats(&args.output, &FORMATS[..4], "tetrahedra")?;
+            space::tetrahedralize(args, points, &mut watch)?
+        }
+    };
+    watch.stage("measure", |_| report.measure(&measure_mesh(&mesh)));
+    let said = format!("{}\n{}", summary(&report), report.quality_table());
+    write_together(watch, report, args.common.report.as_deref(), |outputs| {
+        let mut paths = args.output.iter();
+        paths.try_for_each(|path| outputs.mesh(path, &mesh))
+    })?;
+    args.common.say(&said);
+    Ok(())
+}
+
+fn summary(report: &Report) -> String {
+    let cells = match report.dimension {
+        Some(3) => "tetrahedra",
+        _ => "triangles",
+    };
+    let count = |count: Option<usize>| count.unwrap_or_default();
+    format!(
+        "{} {cells}, {} vertices, {} on the hull, {} duplicates",
+        report.elements,
+        report.vertices,
+        count(report.hull_vertices),
+        count(report.duplicates)
+    )
+}

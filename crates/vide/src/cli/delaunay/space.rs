@@ -1,0 +1,61 @@
+//! Points of space into tetrahedra.
+
+use vide::convert::tetrahedron_mesh;
+use vide::delaunay_core::{BuildError, Delaunay3, Flat, TriMesh};
+use vide::glam::DVec3;
+use vide::mesh_io::Points;
+
+use super::{DelaunayArgs, Triangulated};
+use crate::cli::failure::Failure;
+use crate::cli::progress::Watch;
+use crate::cli::report::Report;
+
+pub(super) fn tetrahedralize(
+    args: &DelaunayArgs,
+    points: Points,
+    watch: &mut Watch,
+) -> Result<Triangulated, Failure> {
+    let is_planar = points.coordinates.are_planar();
+    let points = points.coordinates.into_space().into_iter();
+    let points: Vec<DVec3> = points.map(DVec3::from).collect();
+    let delaunay = watch
+        .stage("triangulate", |watch| {
+            Delaunay3::build_with(&points, &mut |progress| watch.report(progress))
+        })
+        .map_err(|error| match error {
+            BuildError::Flat(flat) => Failure::input(&args.points, flat_text(&flat, is_planar)),
+            error => Failure::input(&args.points, error),
+        })?;
+    drop(points);
+    let mesh = watch.stage("sort", |_| tetrahedron_mesh(&delaunay));
+    let report = Report {
+        dimension: Some(3),
+        vertices: delaunay.vertex_count(),
+        elements: mesh.cells.len(),
+        duplicates: Some(delaunay.duplicates().len()),
+        hull_vertices: Some(delaunay.hull_vertices().len()),
+        hull_sides: Some(delaunay.hull().count()),
+        ..Report::default()
+    };
+    Ok(Triangulated { mesh, report })
+}
+
+/// What points that span no tetrahedron are instead, and what can be done with them.
+fn flat_text(flat: &Flat, is_planar: bool) -> String {
+    let what = BuildError::Flat(Box::new(flat.clone()));
+    let first = |plane: &TriMesh| {
+        let mut faces = plane.faces();
+        let face = faces.find(|&face| !plane.is_ghost_face(face))?;
+        let mut corners = plane.face_vertices(face);
+        corners.sort_unstable();
+        let [a, b, c] = corners;
+        Some(format!(", that through {a}, {b} and {c}"))
+    };
+    let through = flat.plane.as_ref().and_then(first).unwrap_or_default();
+    let hint = if is_planar && flat.plane.is_some() {
+        "; --dim 2 triangulates the plane"
+    } else {
+        ""
+    };
+    format!("{what}{through}, and span no tetrahedron{hint}")
+}
