@@ -168,6 +168,7 @@ impl HalfEdgeId {
 ///
 /// Prints as `t4`. The id stays good until the tetrahedron is removed; vacated ids are given out again.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(transparent)]
 pub struct TetId(u32);
 
 impl TetId {
@@ -185,6 +186,11 @@ impl TetId {
     pub const fn new(index: usize) -> Self {
         assert!(index < Self::LIMIT, "tetrahedron index beyond 30 bits");
         Self(index as u32)
+    }
+
+    /// Tetrahedron number `raw`, which the caller knows to be below the limit.
+    pub(crate) const fn from_raw(raw: u32) -> Self {
+        Self(raw)
     }
 
     /// The number of the tetrahedron, from 0.
@@ -220,6 +226,7 @@ impl TetId {
 ///
 /// Prints as `t4.2`.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(transparent)]
 pub struct FacetId(u32);
 
 impl FacetId {
@@ -231,6 +238,16 @@ impl FacetId {
     pub const fn new(index: usize) -> Self {
         assert!(index < 4 * TetId::LIMIT, "facet index beyond 32 bits");
         Self(index as u32)
+    }
+
+    /// The number of the facet in 32 bits.
+    pub(crate) const fn raw(self) -> u32 {
+        self.0
+    }
+
+    /// Facet number `raw`.
+    pub(crate) const fn from_raw(raw: u32) -> Self {
+        Self(raw)
     }
 
     /// The number of the facet, `4 t + i`.

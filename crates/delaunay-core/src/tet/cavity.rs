@@ -120,7 +120,7 @@ impl Delaunay3 {
 
     /// Fills `cavity` with the cavity of `p`, from a tetrahedron `seed` known to be in it.
     pub(super) fn dig(&self, p: DVec3, seed: TetId, cavity: &mut Cavity3) {
-        let sight = Sight3::new(&self.coords, self.filter, p);
+        let sight = Sight3::new(self.coords.as_slice(), self.filter, p);
         cavity.dig(&self.mesh, seed, |t| sight.in_conflict(&self.mesh, t));
     }
 }

@@ -206,7 +206,7 @@ impl Delaunay3 {
         if vertex.is_ghost() {
             return Ok(());
         }
-        let sight = Sight3::new(&self.coords, self.filter, self.point_of(vertex));
+        let sight = Sight3::new(self.coords.as_slice(), self.filter, self.point_of(vertex));
         require(
             !sight.in_real_conflict(self.mesh.tet_vertices(facet.tet())),
             Violation3::NotDelaunay { facet, vertex },

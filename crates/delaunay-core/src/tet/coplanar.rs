@@ -9,6 +9,7 @@ use super::delaunay::Delaunay3;
 use super::simplex::FlatCause;
 use crate::error::BuildError;
 use crate::ids::{HalfEdgeId, VertexId};
+use crate::options::BuildOptions;
 use crate::progress::Meter;
 use crate::tri::{Extent, Flat, TriMesh};
 use geo_predicates::{Sign, orient3d};
@@ -30,7 +31,7 @@ pub(super) fn describe(
     };
     let mut raised: Vec<DVec3> = flat.vertices.iter().map(|v| points[v.index()]).collect();
     raised.push(apex.place);
-    let delaunay = Delaunay3::grow(&raised, meter)?;
+    let delaunay = Delaunay3::grow(&raised, BuildOptions::default(), meter)?;
     let link = delaunay.mesh().link(VertexId::new(raised.len() - 1));
     let name = |v: VertexId| flat.vertices.get(v.index()).copied();
     let faces = link.map(|facet| {

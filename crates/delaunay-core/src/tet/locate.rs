@@ -66,7 +66,7 @@ impl Delaunay3 {
         let hinted = hint.and_then(|v| self.mesh.home(v));
         let start = hinted.or_else(|| self.sampled_start(p));
         let start = start.or_else(|| self.mesh.tets().next());
-        let sight = Sight3::new(&self.coords, self.filter, p);
+        let sight = Sight3::new(self.coords.as_slice(), self.filter, p);
         Ok(walk(&self.mesh, &sight, start.unwrap_or(TetId::new(0))))
     }
 
@@ -87,7 +87,7 @@ impl Delaunay3 {
 }
 
 /// Walks to the point of `sight` from `start`, real or ghost.
-pub(super) fn walk(mesh: &TetMesh, sight: &Sight3<'_>, start: TetId) -> Location3 {
+pub(super) fn walk(mesh: &TetMesh, sight: &Sight3<&[DVec3]>, start: TetId) -> Location3 {
     let mut tet = match mesh.is_ghost_tet(start) {
         true => mesh.neighbor(start, 3),
         false => start,

@@ -214,10 +214,33 @@ impl TetMesh {
         }
     }
 
-    /// Gives each vertex the name in its slot; homes are left alone.
+    /// Gives each vertex the name in its slot and finds it a home, the tetrahedron with the smallest id;
+    /// no home for vertices without a tetrahedron. There must be no vacant slots.
     pub(super) fn rename_vertices(&mut self, names: &[VertexId]) {
-        for tet in &mut self.tets {
+        self.homes.clear();
+        self.homes.resize(names.len(), TetId::NONE);
+        for (index, tet) in self.tets.iter_mut().enumerate().rev() {
             tet.vertex = tet.vertex.map(|v| names[v.slot()]);
+            for v in tet.vertex {
+                self.homes[v.slot()] = TetId::new(index);
+            }
+        }
+    }
+
+    /// Closes the gaps by moving the last tetrahedra into them; homes are left alone.
+    ///
+    /// Takes time proportional to the number of gaps, times its logarithm.
+    pub(super) fn fill_gaps(&mut self) {
+        self.vacant.sort_unstable();
+        for gap in std::mem::take(&mut self.vacant).into_iter().rev() {
+            let last = TetId::new(self.tets.len() - 1);
+            let moved = self.tets.swap_remove(gap.index());
+            debug_assert!(moved.vertex[0].is_ghost());
+            if gap != last {
+                for (facet, twin) in gap.facets().into_iter().zip(self.tets[gap.index()].twin) {
+                    self.set_twin(twin, facet);
+                }
+            }
         }
     }
 

@@ -5,13 +5,14 @@
 //! | connectivity, surgery | `mesh.rs`, `around.rs`, `canonical.rs` |
 //! | the triangulation and read access | `delaunay.rs` |
 //! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs` |
-//! | all points | `build.rs`, `simplex.rs` |
+//! | all points | `build.rs`, `simplex.rs`, `bulk/` |
 //! | points on a plane | `coplanar.rs` |
 //! | questions | `hull.rs` |
 //! | invariants | `check.rs` |
 
 mod around;
 mod build;
+mod bulk;
 mod canonical;
 mod cavity;
 mod check;

@@ -9,21 +9,34 @@ use geo_predicates::filter::{Filter3, Relative3};
 use geo_predicates::{Sign, in_sphere_perturbed, orient3d};
 use glam::DVec3;
 
+/// Where vertices are; not numbers for the ghost.
+pub(super) trait Places: Copy {
+    fn place(self, v: VertexId) -> DVec3;
+}
+
+/// By vertex slot, the ghost in front.
+impl Places for &[DVec3] {
+    #[inline(always)]
+    fn place(self, v: VertexId) -> DVec3 {
+        self[v.slot()]
+    }
+}
+
 /// The vertices of a triangulation as seen from a point.
 #[derive(Clone, Copy)]
-pub(super) struct Sight3<'a> {
-    coords: &'a [DVec3],
+pub(super) struct Sight3<P> {
+    places: P,
     filter: Filter3,
     from: DVec3,
 }
 
-impl<'a> Sight3<'a> {
-    /// What `from` sees of `coords`, by vertex slot. It may be any accepted point, unless the filter is
-    /// special: then one of those that the filter was made for.
+impl<P: Places> Sight3<P> {
+    /// What `from` sees. It may be any accepted point, unless the filter is special: then one of those
+    /// that the filter was made for.
     #[inline(always)]
-    pub(super) fn new(coords: &'a [DVec3], filter: Filter3, from: DVec3) -> Self {
+    pub(super) fn new(places: P, filter: Filter3, from: DVec3) -> Self {
         Self {
-            coords,
+            places,
             filter,
             from,
         }
@@ -31,7 +44,7 @@ impl<'a> Sight3<'a> {
 
     #[inline(always)]
     pub(super) fn see(&self, vertex: VertexId) -> Relative3 {
-        Relative3::new(self.point(vertex), self.from)
+        Relative3::new(self.places.place(vertex), self.from)
     }
 
     /// On which side of the plane through three real vertices the point lies; `Positive` is where they
@@ -49,17 +62,29 @@ impl<'a> Sight3<'a> {
         }
     }
 
-    /// Whether the point is in conflict with the tetrahedron `t`: inside its circumsphere, ties broken.
+    /// Whether the point is in conflict with the tetrahedron `t` of `mesh`: see
+    /// [`in_conflict_with`](Self::in_conflict_with).
+    pub(super) fn in_conflict(&self, mesh: &TetMesh, t: TetId) -> bool {
+        self.in_conflict_with(mesh.tet_vertices(t), || {
+            mesh.tet_vertices(mesh.neighbor(t, 3))
+        })
+    }
+
+    /// Whether the point is in conflict with a tetrahedron: inside its circumsphere, ties broken.
     ///
     /// The circumball of a ghost is the open half-space outside its hull facet, together with what the
-    /// circumball of the tetrahedron behind the facet cuts out of its plane: the circumdisk of the facet.
-    pub(super) fn in_conflict(&self, mesh: &TetMesh, t: TetId) -> bool {
-        let [a, b, c, d] = mesh.tet_vertices(t);
+    /// circumball of the tetrahedron `behind` the facet cuts out of its plane: the circumdisk of the
+    /// facet.
+    pub(super) fn in_conflict_with(
+        &self,
+        [a, b, c, d]: [VertexId; 4],
+        behind: impl FnOnce() -> [VertexId; 4],
+    ) -> bool {
         if d.is_ghost() {
             return match self.side([a, b, c]) {
                 Sign::Positive => true,
                 Sign::Negative => false,
-                Sign::Zero => self.in_real_conflict(mesh.tet_vertices(mesh.neighbor(t, 3))),
+                Sign::Zero => self.in_real_conflict(behind()),
             };
         }
         self.in_real_conflict([a, b, c, d])
@@ -78,18 +103,14 @@ impl<'a> Sight3<'a> {
     #[cold]
     #[inline(never)]
     fn exact_conflict(&self, corners: [VertexId; 4]) -> bool {
-        let [a, b, c, d] = corners.map(|v| self.point(v));
+        let [a, b, c, d] = corners.map(|v| self.places.place(v));
         in_sphere_perturbed(a, b, c, d, self.from)
     }
 
     #[cold]
     #[inline(never)]
     fn exact_side(&self, corners: [VertexId; 3]) -> Sign {
-        let [a, b, c] = corners.map(|v| self.point(v));
+        let [a, b, c] = corners.map(|v| self.places.place(v));
         orient3d(a, b, c, self.from)
-    }
-
-    fn point(&self, v: VertexId) -> DVec3 {
-        self.coords[v.slot()]
     }
 }

@@ -1,39 +1,40 @@
 //! The first tetrahedron, or what the points are when there is none.
 
 use super::mesh::TetMesh;
+use super::sight::Places;
 use crate::ids::VertexId;
 use crate::tri::Extent;
 use geo_predicates::{Sign, orient2d, orient3d};
 use glam::{DVec2, DVec3};
 
-/// The first vertices that span a tetrahedron, right-handed; the ghost is in front of `coords`.
+/// The first vertices that span a tetrahedron, right-handed. Slots are `0..slots`, the ghost in front.
 ///
 /// # Errors
 /// What the points span instead. For a plane also three points that span it.
-pub(super) fn first_simplex(coords: &[DVec3]) -> Result<[VertexId; 4], FlatCause> {
+pub(super) fn first_simplex(places: impl Places, slots: usize) -> Result<[VertexId; 4], FlatCause> {
     let a = 1;
-    let Some(&origin) = coords.get(a) else {
+    if slots <= a {
         return Err(FlatCause::extent(Extent::Empty));
-    };
-    let first = |from: usize, found: &dyn Fn(DVec3) -> bool| {
-        let rest = coords.get(from..).unwrap_or_default();
-        Some(from + rest.iter().position(|&p| found(p))?)
-    };
+    }
+    let at = |slot: usize| places.place(VertexId::from_slot(slot));
+    let origin = at(a);
+    let first =
+        |from: usize, found: &dyn Fn(DVec3) -> bool| (from..slots).find(|&slot| found(at(slot)));
     let Some(b) = first(a + 1, &|p| p != origin) else {
         return Err(FlatCause::extent(Extent::Point));
     };
-    let Some(c) = first(b + 1, &|p| !collinear(origin, coords[b], p)) else {
+    let Some(c) = first(b + 1, &|p| !collinear(origin, at(b), p)) else {
         return Err(FlatCause::extent(Extent::Line));
     };
-    let side = |p| orient3d(origin, coords[b], coords[c], p);
+    let side = |p| orient3d(origin, at(b), at(c), p);
     let [va, vb, vc] = [a, b, c].map(VertexId::from_slot);
     // Points before `c` lie on the line of the first two.
     match first(c + 1, &|p| side(p) != Sign::Zero) {
         None => Err(FlatCause {
             extent: Extent::Plane,
-            triangle: [origin, coords[b], coords[c]],
+            triangle: [origin, at(b), at(c)],
         }),
-        Some(d) if side(coords[d]) == Sign::Positive => Ok([va, vb, vc, VertexId::from_slot(d)]),
+        Some(d) if side(at(d)) == Sign::Positive => Ok([va, vb, vc, VertexId::from_slot(d)]),
         Some(d) => Ok([vb, va, vc, VertexId::from_slot(d)]),
     }
 }

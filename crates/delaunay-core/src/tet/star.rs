@@ -10,7 +10,7 @@ use super::mesh::TetMesh;
 use crate::ids::{TetId, VertexId};
 
 /// Corners 1, 2, 3 of a new tetrahedron: the edge from `corner` to `corner + 1` is across which facet.
-const ACROSS: [(usize, usize, usize); 3] = [(1, 2, 3), (2, 3, 1), (3, 1, 2)];
+pub(super) const ACROSS: [(usize, usize, usize); 3] = [(1, 2, 3), (2, 3, 1), (3, 1, 2)];
 
 impl TetMesh {
     /// Replaces the tetrahedra of `cavity` by those between `v` and its boundary.

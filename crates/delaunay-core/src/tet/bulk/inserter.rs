@@ -1,0 +1,106 @@
+//! One thread's part of a bulk build: walk, dig, fill, for one point after the other.
+
+use super::arena::Arena;
+use super::pile::Pile;
+use super::star::{MAX_FACETS, Star};
+use super::walk::Walk;
+use crate::ids::{FacetId, TetId, VertexId};
+use geo_predicates::filter::{Filter3, StaticFilter3};
+use glam::DVec3;
+use std::ops::Range;
+
+/// What came of a point.
+pub(super) enum Outcome {
+    /// It is a vertex now.
+    Inserted,
+    /// There is a vertex in its place.
+    Duplicate(VertexId),
+    /// Its cavity is not in this part alone, and nothing was changed.
+    Late,
+    /// There are too few slots, and nothing was changed.
+    Full,
+}
+
+/// Inserts points whose cavities lie in one part. `SHARED` when other threads work on other parts.
+pub(super) struct Inserter<const SHARED: bool> {
+    pub(super) arena: Arena,
+    pub(super) filter: Filter3,
+    pub(super) box_filter: StaticFilter3,
+    pub(super) part: u16,
+    /// Whether the processor has the instructions for [`super::wide`].
+    pub(super) is_wide: bool,
+    /// Slots that were never used.
+    pub(super) fresh: Range<usize>,
+    /// Slots of tetrahedra that are gone.
+    pub(super) free: Vec<TetId>,
+    /// Twice the number of the last insertion.
+    pub(super) stamp: u32,
+    /// Where the next walk starts.
+    pub(super) last: TetId,
+    /// The cavity; then the slots of the star.
+    pub(super) dug: Pile<TetId>,
+    /// The boundary of the cavity, by its outer and its inner side.
+    pub(super) outer: Pile<FacetId>,
+    pub(super) inner: Pile<FacetId>,
+    pub(super) star: Box<Star>,
+    /// The tetrahedron of the star nearest to the next point.
+    pub(super) aim: usize,
+}
+
+impl<const SHARED: bool> Inserter<SHARED> {
+    /// Inserts `v`, which is at `p`; `next` is the point that comes after it.
+    #[inline(always)]
+    pub(super) fn insert(&mut self, v: VertexId, p: DVec3, next: DVec3) -> Outcome {
+        let seed = match self.walk(p, self.last) {
+            Walk::Conflict(t) => t,
+            Walk::Vertex(w) => return Outcome::Duplicate(w),
+            Walk::Border => return Outcome::Late,
+        };
+        if !self.dig_best(p, seed) {
+            return Outcome::Late;
+        }
+        if !self.take_slots() {
+            return Outcome::Full;
+        }
+        if self.outer.len() > MAX_FACETS {
+            self.fill_large(v, p);
+        } else {
+            self.fill(v, p, next);
+        }
+        Outcome::Inserted
+    }
+
+    /// [`dig`](Self::dig), four neighbours at a time where the processor can.
+    #[inline(always)]
+    fn dig_best(&mut self, p: DVec3, seed: TetId) -> bool {
+        #[cfg(target_arch = "x86_64")]
+        if self.is_wide {
+            // SAFETY: the processor was asked.
+            return unsafe { self.dig_wide(p, seed) };
+        }
+        self.dig(p, seed)
+    }
+}
+
+#[cfg(test)]
+thread_local! {
+    static NARROW: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
+}
+
+/// Makes builds of this thread use the portable loops, or not.
+#[cfg(test)]
+pub(super) fn force_narrow(narrow: bool) {
+    NARROW.set(narrow);
+}
+
+/// Whether this processor runs the wide loops.
+pub(super) fn is_wide() -> bool {
+    #[cfg(test)]
+    if NARROW.get() {
+        return false;
+    }
+    #[cfg(target_arch = "x86_64")]
+    return super::wide::is_supported();
+    #[cfg(not(target_arch = "x86_64"))]
+    return false;
+}
