@@ -90,6 +90,12 @@ pub enum RemoveError {
         /// The vertex that holds the triangulation up.
         vertex: VertexId,
     },
+    /// In space, the rest has more tetrahedra than there are ids.
+    #[error("without that vertex there would be more than the {limit} tetrahedra that fit")]
+    TooManyTets {
+        /// Tetrahedra possible.
+        limit: usize,
+    },
 }
 
 fn flat_text(flat: &Flat) -> String {

@@ -201,6 +201,13 @@ impl TetMesh {
         }
     }
 
+    /// Makes `v` a vertex of no tetrahedron.
+    pub(super) fn forget_vertex(&mut self, v: VertexId) {
+        if let Some(home) = self.homes.get_mut(v.slot()) {
+            *home = TetId::NONE;
+        }
+    }
+
     pub(super) fn set_twin(&mut self, f: FacetId, twin: FacetId) {
         self.tets[f.tet().index()].twin[f.corner()] = twin;
     }

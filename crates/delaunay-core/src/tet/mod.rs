@@ -2,12 +2,13 @@
 //!
 //! | step | file |
 //! |---|---|
-//! | connectivity, surgery | `mesh.rs`, `around.rs`, `canonical.rs` |
+//! | connectivity, surgery | `mesh.rs`, `around.rs`, `exchange.rs`, `canonical.rs` |
 //! | the triangulation and read access | `delaunay.rs` |
 //! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs` |
-//! | all points | `build.rs`, `simplex.rs`, `bulk/` |
+//! | all points | `build.rs`, `simplex.rs`, `bulk/`; a few `grow.rs` |
+//! | one point less | `remove.rs` |
 //! | points on a plane | `coplanar.rs` |
-//! | questions | `hull.rs` |
+//! | questions | `nearest.rs`, `hull.rs` |
 //! | invariants | `check.rs` |
 
 mod around;
@@ -18,10 +19,14 @@ mod cavity;
 mod check;
 mod coplanar;
 mod delaunay;
+mod exchange;
+mod grow;
 mod hull;
 mod insert;
 mod locate;
 mod mesh;
+mod nearest;
+mod remove;
 mod sight;
 mod simplex;
 mod star;

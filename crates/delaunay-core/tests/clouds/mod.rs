@@ -2,6 +2,8 @@
 // Each test file uses its part of the module.
 #![allow(dead_code, unreachable_pub)]
 
+pub mod space;
+
 use glam::DVec2;
 use proptest::prelude::*;
 use rand::{Rng, RngExt, SeedableRng, seq::SliceRandom};
