@@ -45,7 +45,11 @@ pub use error::{BuildError, InsertError, MoveError, RemoveError};
 pub use geo_predicates;
 pub use ids::{FaceId, FacetId, HalfEdgeId, TetId, VertexId};
 pub use options::BuildOptions;
-pub use tet::{Cavity3, Delaunay3, FACET_CORNERS, Location3, Ring, Star, TetMesh, Violation3};
+pub use tet::{
+    Cavity3, CellCarver, Clipper, ConvexPolyhedron, Delaunay3, FACET_CORNERS, HalfSpace,
+    HalfSpaceError, Location3, Moments, PolyhedronError, PolyhedronFace, Ring, Side, Star, TetMesh,
+    Violation3, Voronoi3,
+};
 pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,
     PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,

@@ -9,31 +9,47 @@
 //! | one point less | `remove.rs` |
 //! | points on a plane | `coplanar.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
+//! | the Voronoi diagram | `dual.rs`, `carve.rs` |
+//! | convex polyhedra | `polyhedron.rs`, `half_space.rs`, `clip.rs`, `face.rs`, `moments.rs` |
 //! | invariants | `check.rs` |
 
 mod around;
 mod build;
 mod bulk;
 mod canonical;
+mod carve;
 mod cavity;
 mod check;
+mod clip;
 mod coplanar;
 mod delaunay;
+mod dual;
 mod exchange;
+mod face;
 mod grow;
+mod half_space;
 mod hull;
 mod insert;
 mod locate;
 mod mesh;
+mod moments;
 mod nearest;
+mod polyhedron;
 mod remove;
 mod sight;
 mod simplex;
 mod star;
 
 pub use around::{Ring, Star};
+pub use carve::CellCarver;
 pub use cavity::Cavity3;
 pub use check::Violation3;
+pub use clip::Clipper;
 pub use delaunay::Delaunay3;
+pub use dual::Voronoi3;
+pub use face::PolyhedronFace;
+pub use half_space::{HalfSpace, HalfSpaceError};
 pub use locate::Location3;
 pub use mesh::{FACET_CORNERS, TetMesh};
+pub use moments::Moments;
+pub use polyhedron::{ConvexPolyhedron, PolyhedronError, Side};

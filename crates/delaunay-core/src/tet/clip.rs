@@ -1,0 +1,398 @@
+//! Clipping of a convex polyhedron by a half-space.
+//!
+//! Topology first (Sugihara & Iri 1989): each corner is judged once, by the sign of its rounded height over the
+//! plane. Corners above go, all others stay, a corner in the plane too. The edges between the two kinds
+//! form a rim; each gets a new corner, and the new corners bound the new face.
+//!
+//! ```text
+//!          removed                     On the way round the rim the removed corners are on the
+//!        *----*     *                  left: from a rim edge to the next along the face between
+//!   -----|----|-----|----- plane       them. Where rounding makes the signs those of no convex
+//!        *    *-----*                  body, there are several rims; then corners too few to
+//!           kept                       matter change sides until there is one (mend).
+//! ```
+//!
+//! So the surface stays a sphere with three edges per corner whatever the numbers are. A new corner is between
+//! the ends of its edge, hence finite; then it is moved onto its three planes, as far as rounding may
+//! have put it off them. So it is as accurate as it is near the origin of the coordinates, however large the
+//! polyhedron was at the start.
+
+use super::half_space::HalfSpace;
+use super::polyhedron::{ConvexPolyhedron, Corner, End, Face, Side};
+use glam::DVec3;
+
+/// Room for clipping, kept from one time to the next.
+#[derive(Clone, Debug, Default)]
+pub struct Clipper {
+    /// By corner: positive for those to be removed.
+    heights: Vec<f64>,
+    removed: Vec<u32>,
+    /// The ends, at removed corners, of the edges to corners that stay, in order round the new face.
+    rim: Vec<End>,
+    fresh: Vec<Corner>,
+    pending: Vec<usize>,
+}
+
+impl ConvexPolyhedron {
+    /// Keeps what lies in `half_space`, and calls the new face `side`. Tells whether anything was cut off.
+    ///
+    /// Corners in the plane stay as long as one is below it; else nothing is left. Linear in the number
+    /// of corners.
+    pub fn clip(&mut self, half_space: &HalfSpace, side: Side) -> bool {
+        self.clip_in(half_space, side, &mut Clipper::default())
+    }
+
+    /// As [`clip`](Self::clip), in the room of `clipper`: nothing is allocated after a few times.
+    pub fn clip_in(&mut self, half_space: &HalfSpace, side: Side, clipper: &mut Clipper) -> bool {
+        let plane = half_space.seen_from(self.origin);
+        self.cut(&plane, side, clipper)
+    }
+
+    /// Clips by a half-space relative to the origin of the polyhedron.
+    pub(super) fn cut(&mut self, plane: &HalfSpace, side: Side, clipper: &mut Clipper) -> bool {
+        clipper.judge(&self.corners, plane);
+        if clipper.removed.is_empty() {
+            return false;
+        }
+        if clipper.heights.iter().all(|&height| height >= 0.0) {
+            self.clear();
+            return true;
+        }
+        if !clipper.trace_rim(self) {
+            clipper.mend(self);
+            clipper.trace_rim(self);
+        }
+        self.close(plane, side, clipper);
+        true
+    }
+
+    /// Replaces the removed corners by those of the new face.
+    fn close(&mut self, plane: &HalfSpace, side: Side, clipper: &mut Clipper) {
+        let number = self.faces.len() as u32;
+        let corner = Face::LOST;
+        self.faces.push(Face {
+            plane: *plane,
+            side,
+            corner,
+        });
+        clipper.fresh.clear();
+        for &end in &clipper.rim {
+            clipper
+                .fresh
+                .push(self.corner_on(end, number, &clipper.heights));
+        }
+        for &slot in &clipper.removed {
+            for face in self.corners[slot as usize].faces {
+                self.faces[face as usize].corner = Face::LOST;
+            }
+        }
+        while let Some(&corner) = clipper.fresh.get(clipper.removed.len()) {
+            clipper.removed.push(self.corners.len() as u32);
+            self.corners.push(corner);
+        }
+        self.settle(&clipper.fresh, &clipper.removed);
+        for &slot in clipper.removed.iter().skip(clipper.fresh.len()).rev() {
+            self.vacate(slot as usize);
+        }
+    }
+
+    /// The corner on the edge of `end`, between the new face `number` and the two faces of the edge.
+    fn corner_on(&self, end: End, number: u32, heights: &[f64]) -> Corner {
+        let removed = &self.corners[end.corner()];
+        let twin = self.twin(end);
+        let kept = &self.corners[twin.corner()];
+        let [from, to] = [heights[twin.corner()], heights[end.corner()]];
+        let place = kept.place.lerp(removed.place, from / (from - to));
+        let faces = [
+            number,
+            removed.faces[end.next().edge()],
+            removed.faces[end.prev().edge()],
+        ];
+        let planes = faces.map(|face| &self.faces[face as usize].plane);
+        let reach = kept.place.abs().max(removed.place.abs()).max_element();
+        Corner {
+            place: moved_onto(planes, place, reach),
+            faces,
+            twins: [twin; 3],
+        }
+    }
+
+    /// Stores the corners round the new face in the first of `slots`, joined in a ring.
+    fn settle(&mut self, fresh: &[Corner], slots: &[u32]) {
+        let count = fresh.len();
+        let slot = |i: usize| slots[i % count] as usize;
+        for (i, &corner) in fresh.iter().enumerate() {
+            let twins = [
+                corner.twins[0],
+                End::new(slot(i + 1), 2),
+                End::new(slot(i + count - 1), 1),
+            ];
+            self.put(slot(i), Corner { twins, ..corner });
+        }
+    }
+
+    /// Stores a corner and tells its neighbours and faces.
+    fn put(&mut self, slot: usize, corner: Corner) {
+        self.corners[slot] = corner;
+        for edge in 0..3 {
+            let twin = corner.twins[edge];
+            self.corners[twin.corner()].twins[twin.edge()] = End::new(slot, edge);
+            self.faces[corner.faces[edge] as usize].corner = slot as u32;
+        }
+    }
+
+    /// Drops the corner in `slot`, to which no edge leads any more; the last one takes the slot.
+    fn vacate(&mut self, slot: usize) {
+        if let Some(last) = self.corners.pop()
+            && slot < self.corners.len()
+        {
+            self.put(slot, last);
+        }
+    }
+}
+
+impl Clipper {
+    fn judge(&mut self, corners: &[Corner], plane: &HalfSpace) {
+        self.heights.clear();
+        self.heights
+            .extend(corners.iter().map(|corner| plane.height(corner.place)));
+        self.list_removed();
+    }
+
+    fn list_removed(&mut self) {
+        self.removed.clear();
+        let above = self
+            .heights
+            .iter()
+            .enumerate()
+            .filter(|&(_, &height)| height > 0.0);
+        self.removed.extend(above.map(|(slot, _)| slot as u32));
+    }
+
+    #[inline]
+    fn is_removed(&self, slot: usize) -> bool {
+        self.heights[slot] > 0.0
+    }
+
+    /// Lists the rim of a removed corner; tells whether it is the only one.
+    fn trace_rim(&mut self, polyhedron: &ConvexPolyhedron) -> bool {
+        let slots = self.removed.iter();
+        let ends = slots.flat_map(|&slot| [0, 1, 2].map(|edge| End::new(slot as usize, edge)));
+        let mut rim_ends = ends.filter(|&end| !self.is_removed(polyhedron.twin(end).corner()));
+        let start = rim_ends.next();
+        let count = rim_ends.count() + 1;
+        self.rim.clear();
+        let mut here = start;
+        while let Some(end) = here {
+            self.rim.push(end);
+            let next = self.next_on_rim(polyhedron, end);
+            here = Some(next).filter(|_| Some(next) != start);
+        }
+        self.rim.len() == count
+    }
+
+    /// The rim end after `end`, round the face between: over its removed corners to the first that stays.
+    #[inline]
+    fn next_on_rim(&self, polyhedron: &ConvexPolyhedron, end: End) -> End {
+        let mut next = end.next();
+        loop {
+            let twin = polyhedron.twin(next);
+            if !self.is_removed(twin.corner()) {
+                return next;
+            }
+            next = twin.next();
+        }
+    }
+
+    /// Makes the removed corners and the kept ones connected, each kind with itself: then there is one
+    /// rim. Corners that rounding has put on the wrong side count as in the plane, or hardly above it.
+    #[cold]
+    fn mend(&mut self, polyhedron: &ConvexPolyhedron) {
+        let highest = extreme(&self.heights, 1.0);
+        self.keep_connected(polyhedron, highest, |height| height > 0.0, 0.0);
+        let lowest = extreme(&self.heights, -1.0);
+        self.keep_connected(
+            polyhedron,
+            lowest,
+            |height| height <= 0.0,
+            f64::MIN_POSITIVE,
+        );
+        self.list_removed();
+    }
+
+    /// Gives the height `otherwise` to corners of a kind that are not connected with `seed`.
+    fn keep_connected(
+        &mut self,
+        polyhedron: &ConvexPolyhedron,
+        seed: usize,
+        is_of_kind: impl Fn(f64) -> bool,
+        otherwise: f64,
+    ) {
+        let mut reached = vec![false; self.heights.len()];
+        reached[seed] = true;
+        self.pending.clear();
+        self.pending.push(seed);
+        while let Some(slot) = self.pending.pop() {
+            for twin in polyhedron.corners[slot].twins {
+                let other = twin.corner();
+                if is_of_kind(self.heights[other]) && !reached[other] {
+                    reached[other] = true;
+                    self.pending.push(other);
+                }
+            }
+        }
+        for (height, reached) in self.heights.iter_mut().zip(reached) {
+            if is_of_kind(*height) && !reached {
+                *height = otherwise;
+            }
+        }
+    }
+}
+
+/// The corner farthest up (`sign` 1) or down (-1).
+fn extreme(heights: &[f64], sign: f64) -> usize {
+    let farthest =
+        (0..heights.len()).max_by(|&i, &j| (heights[i] * sign).total_cmp(&(heights[j] * sign)));
+    farthest.unwrap_or(0)
+}
+
+/// `place` moved to the common point of three planes, if that is as near as rounding explains.
+///
+/// `reach` is the size of the coordinates from which `place` was computed.
+#[inline]
+fn moved_onto(planes: [&HalfSpace; 3], place: DVec3, reach: f64) -> DVec3 {
+    const ROUNDING: f64 = 1.0 / (1_u64 << 40) as f64;
+    let [a, b, c] = planes.map(|plane| plane.normal);
+    let [p, q, r] = planes.map(|plane| plane.height(place));
+    let (bc, ca, ab) = (b.cross(c), c.cross(a), a.cross(b));
+    let step = (p * bc + q * ca + r * ab) / a.dot(bc);
+    // False too when the planes have no common point and the step is not a number.
+    if step.length_squared() <= (ROUNDING * reach) * (ROUNDING * reach) {
+        place - step
+    } else {
+        place
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tet::polyhedron::PolyhedronError;
+
+    fn cube() -> ConvexPolyhedron {
+        ConvexPolyhedron::cuboid(-DVec3::ONE, DVec3::ONE).unwrap()
+    }
+
+    fn clipped(cuts: &[([f64; 3], f64)]) -> ConvexPolyhedron {
+        let mut polyhedron = cube();
+        for (number, &(normal, limit)) in cuts.iter().enumerate() {
+            let half_space = HalfSpace::new(normal.into(), limit).unwrap();
+            polyhedron.clip(&half_space, Side::Window(6 + number as u32));
+            assert_sound(&polyhedron);
+        }
+        polyhedron
+    }
+
+    /// Twins are mutual and share their two faces, borders close, and the surface is a sphere.
+    fn assert_sound(polyhedron: &ConvexPolyhedron) {
+        let mut edges = 0;
+        for slot in 0..polyhedron.corners.len() {
+            for edge in 0..3 {
+                let end = End::new(slot, edge);
+                let twin = polyhedron.twin(end);
+                assert_eq!(polyhedron.twin(twin), end);
+                let sides = |end: End| {
+                    let faces = polyhedron.corners[end.corner()].faces;
+                    [faces[end.next().edge()], faces[end.prev().edge()]]
+                };
+                let [left, right] = sides(twin);
+                assert_eq!(sides(end), [right, left]);
+                edges += 1;
+            }
+        }
+        let faces: Vec<_> = polyhedron.faces().collect();
+        let around: usize = faces.iter().map(|face| face.corners().count()).sum();
+        assert_eq!(around, edges);
+        if !polyhedron.is_empty() {
+            assert_eq!(polyhedron.corners.len() + faces.len(), edges / 2 + 2);
+        }
+    }
+
+    #[test]
+    fn a_box_is_sound() {
+        assert_sound(&cube());
+        let refused = ConvexPolyhedron::cuboid(DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0));
+        assert!(matches!(refused, Err(PolyhedronError::NotBelow { .. })));
+        insta::assert_snapshot!(refused.unwrap_err(), @"the low corner is not below the high one along y: 0e0 and 0e0");
+    }
+
+    #[test]
+    fn a_cut_keeps_the_near_side() {
+        assert_eq!(clipped(&[([1.0, 0.0, 0.0], 0.0)]).volume(), 4.0);
+        assert_eq!(clipped(&[([1.0, 1.0, 0.0], 0.0)]).volume(), 4.0);
+        assert_eq!(clipped(&[([1.0, 1.0, 1.0], 0.0)]).volume(), 4.0);
+        let without_corner = clipped(&[([1.0, 1.0, 1.0], 2.0)]);
+        assert!((without_corner.volume() - (8.0 - 1.0 / 6.0)).abs() < 1e-14);
+        assert_eq!(without_corner.faces().count(), 7);
+    }
+
+    #[test]
+    fn a_plane_that_touches_takes_nothing() {
+        for cut in [
+            ([1.0, 0.0, 0.0], 1.0),
+            ([1.0, 1.0, 0.0], 2.0),
+            ([1.0, 1.0, 1.0], 3.0),
+        ] {
+            assert_eq!(clipped(&[cut]), cube());
+        }
+    }
+
+    #[test]
+    fn cuts_that_leave_nothing_leave_no_corners() {
+        assert!(clipped(&[([1.0, 1.0, 1.0], -4.0)]).is_empty());
+        assert!(clipped(&[([1.0, 0.0, 0.0], -0.5), ([-1.0, 0.0, 0.0], 0.25)]).is_empty());
+        assert!(clipped(&[([1.0, 0.0, 0.0], -4.0), ([1.0, 0.0, 0.0], 0.0)]).is_empty());
+    }
+
+    #[test]
+    fn a_touch_from_outside_leaves_nothing() {
+        for cut in [
+            ([1.0, 0.0, 0.0], -1.0),
+            ([1.0, 1.0, 0.0], -2.0),
+            ([1.0, 1.0, 1.0], -3.0),
+        ] {
+            assert!(clipped(&[cut]).is_empty());
+        }
+    }
+
+    #[test]
+    fn a_face_that_is_cut_off_is_gone() {
+        let half = clipped(&[([1.0, 0.0, 0.0], 0.5)]);
+        let sides: Vec<Side> = half.faces().map(|face| face.side()).collect();
+        assert_eq!(sides, [0, 2, 3, 4, 5, 6].map(Side::Window));
+    }
+
+    /// Any corners of the cube are above the plane: most choices are the signs of no convex body.
+    #[test]
+    fn contradictory_signs_leave_a_sound_surface() {
+        for bits in 1..255_u32 {
+            let mut polyhedron = cube();
+            let mut clipper = Clipper::default();
+            let sign = |slot: u32| if bits >> slot & 1 == 1 { 1e-17 } else { -1e-17 };
+            clipper.heights.extend((0..8).map(sign));
+            clipper.list_removed();
+            if !clipper.trace_rim(&polyhedron) {
+                clipper.mend(&polyhedron);
+                assert!(clipper.trace_rim(&polyhedron), "{bits:08b}");
+            }
+            let plane = HalfSpace::new(DVec3::X, 0.0).unwrap();
+            polyhedron.close(&plane, Side::Window(6), &mut clipper);
+            assert_sound(&polyhedron);
+            assert!(
+                polyhedron
+                    .corners()
+                    .all(|corner| corner.abs().max_element() <= 1.0)
+            );
+        }
+    }
+}
