@@ -162,6 +162,7 @@ impl ConvexPolyhedron {
     }
 
     /// The corners, in no order; where more than three faces meet, the place comes several times.
+    #[must_use]
     pub fn corners(&self) -> impl ExactSizeIterator<Item = DVec3> + Clone + '_ {
         self.corners.iter().map(|corner| self.origin + corner.place)
     }
