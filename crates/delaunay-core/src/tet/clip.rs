@@ -311,7 +311,7 @@ mod tests {
             }
         }
         let faces: Vec<_> = polyhedron.faces().collect();
-        let around: usize = faces.iter().map(|face| face.corners().count()).sum();
+        let around: usize = faces.iter().map(|face| face.places().count()).sum();
         assert_eq!(around, edges);
         if !polyhedron.is_empty() {
             assert_eq!(polyhedron.corners.len() + faces.len(), edges / 2 + 2);

@@ -42,10 +42,14 @@ impl<'a> PolyhedronFace<'a> {
         self.face.plane.normal.normalize()
     }
 
-    /// The corners, counterclockwise seen from outside, at least two; neighbours may coincide.
+    /// The corners, counterclockwise seen from outside, each place once: less than three when rounding
+    /// has left no more.
     pub fn corners(&self) -> impl Iterator<Item = DVec3> + Clone + use<'a> {
         let origin = self.polyhedron.origin;
-        self.places().map(move |place| origin + place)
+        let places = self.places().map(move |place| origin + place);
+        let next = places.clone().skip(1).chain(places.clone().take(1));
+        let pairs = places.zip(next).filter(|(place, next)| place != next);
+        pairs.map(|(place, _)| place)
     }
 
     /// The area, not negative beyond rounding.
