@@ -73,6 +73,9 @@ pub enum MoveError {
         /// The vertex at the new place.
         other: VertexId,
     },
+    /// Ids of points or tetrahedra are used up.
+    #[error(transparent)]
+    Insert(#[from] InsertError),
 }
 
 /// Why a vertex was not removed; the triangulation is as before.

@@ -5,9 +5,10 @@
 mod clouds;
 
 use clouds::space::{cloud, hard_sets, lattice, rng, sphere, uniform};
-use delaunay_core::{Delaunay3, Inserted, RemoveError, VertexId};
+use delaunay_core::{Delaunay3, Inserted, MoveError, RemoveError, VertexId};
 use glam::DVec3;
 use proptest::prelude::*;
+use rand::RngExt;
 use rand::seq::SliceRandom;
 
 /// The vertices in a scrambled order.
@@ -173,7 +174,115 @@ fn brute_force_agrees_on_the_nearest_vertex() {
     }
 }
 
+/// Whether `delaunay` is the triangulation of `points` bit for bit, which are all distinct.
+fn is_of(delaunay: &Delaunay3, points: &[DVec3]) -> bool {
+    let rebuilt = Delaunay3::build(points).unwrap();
+    delaunay.points() == points && delaunay.mesh().canonical() == rebuilt.mesh().canonical()
+}
+
+#[test]
+fn moves_near_and_far_end_in_the_triangulation_of_the_new_places() {
+    for (name, mut points) in hard_sets() {
+        let mut delaunay = Delaunay3::build(&points).unwrap();
+        if !delaunay.duplicates().is_empty() {
+            continue;
+        }
+        let mut rng = rng(4);
+        let targets = points.clone();
+        for v in scrambled_vertices(&delaunay, 5).into_iter().take(40) {
+            let towards = targets[rng.random_range(0..targets.len())];
+            let step = [1e-14, 1e-3, 0.3, 0.5][rng.random_range(0..4)];
+            let p = points[v.index()].lerp(towards, step);
+            match delaunay.move_vertex(v, p) {
+                Ok(()) => points[v.index()] = p,
+                Err(MoveError::Occupied { vertex, other }) => {
+                    assert_eq!((vertex, points[other.index()]), (v, p), "{name}");
+                }
+                Err(other) => panic!("{name}: {other}"),
+            }
+            assert_eq!(delaunay.check(), Ok(()), "{name}");
+        }
+        assert!(is_of(&delaunay, &points), "{name}");
+    }
+}
+
+#[test]
+fn a_short_move_inside_the_hull_changes_no_tetrahedron() {
+    let points = uniform(500, 11);
+    let mut delaunay = Delaunay3::build(&points).unwrap();
+    let before = delaunay.mesh().clone();
+    let hull = delaunay.hull_vertices();
+    let inner: Vec<VertexId> = delaunay.vertices().filter(|v| !hull.contains(v)).collect();
+    for &v in &inner {
+        let p = delaunay.point(v) + DVec3::new(1e-9, -1e-9, 1e-9);
+        assert_eq!(delaunay.move_vertex(v, p), Ok(()));
+    }
+    assert!(inner.len() > 300 && *delaunay.mesh() == before);
+    assert_eq!(delaunay.check(), Ok(()));
+}
+
+#[test]
+fn a_tetrahedron_turns_inside_out_but_does_not_become_flat() {
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    let mut delaunay = Delaunay3::build(&corners).unwrap();
+    let v = VertexId::new(3);
+    let flat = Err(MoveError::Remove(RemoveError::RestIsFlat { vertex: v }));
+    assert_eq!(delaunay.move_vertex(v, DVec3::new(3.0, 1.0, 0.0)), flat);
+    assert_eq!(delaunay.move_vertex(v, DVec3::NEG_Z), Ok(()));
+    assert!(is_of(
+        &delaunay,
+        &[DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::NEG_Z]
+    ));
+    assert_eq!(
+        delaunay.insert(DVec3::ONE),
+        Ok(Inserted::New(VertexId::new(4)))
+    );
+}
+
+#[test]
+fn moves_that_cannot_be_are_refused() {
+    let points = lattice([3, 3, 3]);
+    let mut delaunay = Delaunay3::build(&points).unwrap();
+    let [v, other] = [13, 14].map(VertexId::new);
+    let occupied = Err(MoveError::Occupied { vertex: v, other });
+    assert_eq!(delaunay.move_vertex(v, points[14]), occupied);
+    assert!(matches!(
+        delaunay.move_vertex(v, DVec3::NAN),
+        Err(MoveError::Coordinate(_))
+    ));
+    let vertex = VertexId::GHOST;
+    let missing = Err(MoveError::Remove(RemoveError::NoSuchVertex { vertex }));
+    assert_eq!(delaunay.move_vertex(vertex, DVec3::ONE), missing);
+    assert_eq!(delaunay.move_vertex(v, points[13]), Ok(()));
+    assert!(is_of(&delaunay, &points));
+}
+
 proptest! {
+    #[test]
+    fn a_vertex_of_any_cloud_moves_anywhere(
+        points in cloud(20),
+        target in clouds::space::place(),
+        pick in any::<prop::sample::Index>(),
+    ) {
+        let Ok(mut delaunay) = Delaunay3::build(&points) else { return Ok(()) };
+        let mut places: Vec<DVec3> = delaunay.vertices().map(|v| delaunay.point(v)).collect();
+        let Ok(mut distinct) = Delaunay3::build(&places) else { return Ok(()) };
+        let v = VertexId::new(pick.index(places.len()));
+        let moved = distinct.move_vertex(v, target);
+        if moved.is_ok() {
+            places[v.index()] = target;
+        }
+        prop_assert_eq!(distinct.check(), Ok(()));
+        prop_assert!(is_of(&distinct, &places));
+        if let Err(MoveError::Remove(_)) = moved {
+            places[v.index()] = target;
+            prop_assert!(Delaunay3::build(&places).is_err());
+        }
+        let v = delaunay.vertices().next().unwrap();
+        let _ = delaunay.move_vertex(v, target);
+        prop_assert_eq!(delaunay.check(), Ok(()));
+    }
+
     #[test]
     fn a_vertex_of_any_cloud_goes_and_comes_back(points in cloud(24), pick in any::<prop::sample::Index>()) {
         let Ok(mut delaunay) = Delaunay3::build(&points) else { return Ok(()) };

@@ -6,7 +6,7 @@
 //! | the triangulation and read access | `delaunay.rs` |
 //! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs` |
 //! | all points | `build.rs`, `simplex.rs`, `bulk/`; a few `grow.rs` |
-//! | one point less | `remove.rs` |
+//! | one point less, or elsewhere | `remove.rs`, `movement.rs` |
 //! | points on a plane | `coplanar.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
 //! | the Voronoi diagram | `dual.rs`, `carve.rs` |
@@ -33,6 +33,7 @@ mod insert;
 mod locate;
 mod mesh;
 mod moments;
+mod movement;
 mod nearest;
 mod polyhedron;
 mod remove;

@@ -42,6 +42,11 @@ impl<P: Places> Sight3<P> {
         }
     }
 
+    /// The point that sees.
+    pub(super) fn from(&self) -> DVec3 {
+        self.from
+    }
+
     #[inline(always)]
     pub(super) fn see(&self, vertex: VertexId) -> Relative3 {
         Relative3::new(self.places.place(vertex), self.from)

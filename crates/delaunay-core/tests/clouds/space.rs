@@ -80,8 +80,12 @@ pub fn hard_sets() -> Vec<(&'static str, Vec<DVec3>)> {
     ]
 }
 
+/// A place with coordinates that often coincide with others.
+pub fn place() -> impl Strategy<Value = DVec3> {
+    (coordinate(), coordinate(), coordinate()).prop_map(DVec3::from)
+}
+
 /// Few points, so that a vertex often holds up all others, with coordinates that often coincide.
 pub fn cloud(max: usize) -> impl Strategy<Value = Vec<DVec3>> {
-    let point = (coordinate(), coordinate(), coordinate()).prop_map(DVec3::from);
-    prop::collection::vec(point, 0..max)
+    prop::collection::vec(place(), 0..max)
 }
