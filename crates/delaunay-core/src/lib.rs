@@ -46,9 +46,9 @@ pub use geo_predicates;
 pub use ids::{FaceId, FacetId, HalfEdgeId, TetId, VertexId};
 pub use options::BuildOptions;
 pub use tet::{
-    Cavity3, CellCarver, Clipper, ConvexPolyhedron, Delaunay3, FACET_CORNERS, HalfSpace,
-    HalfSpaceError, Location3, Moments, PolyhedronError, PolyhedronFace, Ring, Side, Star, TetMesh,
-    Violation3, Voronoi3,
+    Cavity3, CellCarver, Clipper, ConvexPolyhedron, Delaunay3, FACET_CORNERS, Flip, FlipError,
+    HalfSpace, HalfSpaceError, Location3, Moments, PolyhedronError, PolyhedronFace, Ring, Side,
+    Star, TetMesh, Violation3, Voronoi3,
 };
 pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,

@@ -61,16 +61,19 @@ impl TetMesh {
     /// counterclockwise round it as seen from `b`, starting with `t`; nothing when `t` has no such edge.
     #[must_use]
     pub fn ring(&self, t: TetId, a: VertexId, b: VertexId) -> Ring<'_> {
-        let ends = self.corner_of(t, a).zip(self.corner_of(t, b));
-        let step = ends
-            .filter(|(i, j)| i != j)
-            .map(|(i, j)| (t, self.tet_vertices(t)[leading_corner(i, j)]));
         Ring {
             mesh: self,
             edge: [a, b],
             start: t,
-            here: step,
+            here: self.leading_vertex(t, [a, b]).map(|behind| (t, behind)),
         }
+    }
+
+    /// The corner `c` of `t` off the edge from `a` to `b` such that `[a, b, c]` and the fourth corner are
+    /// right-handed: the one that comes first round the edge. `None` when `t` has no such edge.
+    pub(super) fn leading_vertex(&self, t: TetId, [a, b]: [VertexId; 2]) -> Option<VertexId> {
+        let (i, j) = self.corner_of(t, a).zip(self.corner_of(t, b))?;
+        (i != j).then(|| self.tet_vertices(t)[leading_corner(i, j)])
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! | step | file |
 //! |---|---|
-//! | connectivity, surgery | `mesh.rs`, `around.rs`, `exchange.rs`, `canonical.rs` |
+//! | connectivity, surgery | `mesh.rs`, `around.rs`, `exchange.rs`, `flip.rs`, `canonical.rs` |
 //! | the triangulation and read access | `delaunay.rs` |
 //! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs` |
 //! | all points | `build.rs`, `simplex.rs`, `bulk/`; a few `grow.rs` |
@@ -26,6 +26,7 @@ mod delaunay;
 mod dual;
 mod exchange;
 mod face;
+mod flip;
 mod grow;
 mod half_space;
 mod hull;
@@ -49,6 +50,7 @@ pub use clip::Clipper;
 pub use delaunay::Delaunay3;
 pub use dual::Voronoi3;
 pub use face::PolyhedronFace;
+pub use flip::{Flip, FlipError};
 pub use half_space::{HalfSpace, HalfSpaceError};
 pub use locate::Location3;
 pub use mesh::{FACET_CORNERS, TetMesh};
