@@ -113,8 +113,11 @@ impl Report {
         Ok(writeln!(out)?)
     }
 
-    /// A table of all measures, a line each.
+    /// A table of all measures, a line each; nothing when nothing was measured.
     pub(crate) fn quality_table(&self) -> String {
+        if self.quality.is_empty() {
+            return String::new();
+        }
         let mut table = format!(
             "{:30} {:>10} {:>10} {:>10} {:>10} {:>10}\n",
             "measure", "min", "p01", "mean", "p99", "max"
