@@ -1,12 +1,14 @@
 //! VTU, the XML unstructured grids of VTK: what ParaView opens.
 //!
-//! Written as inline base64 of little-endian numbers, not compressed; read as ASCII, inline or appended (raw or base64), plain or
+//! Written as inline base64 of little-endian numbers, not compressed, indices in 32 bits where they fit: raw numbers behind the XML would
+//! be a quarter shorter, but the reader of meshio confuses their arrays. Read as ASCII, inline or appended (raw or base64), plain or
 //! compressed by zlib, in either byte order. Integer arrays named `marker` are the markers.
 //!
 //! Own code over `quick-xml`, `base64` and `flate2` rather than `vtkio`: only arrays cut out of the bytes at hand can promise that no
 //! size claimed in a file is believed.
 
 mod appended;
+mod array;
 mod base64_runs;
 mod budget;
 mod number;
