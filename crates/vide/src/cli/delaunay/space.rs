@@ -6,6 +6,7 @@ use vide::glam::DVec3;
 use vide::mesh_io::Points;
 
 use super::{DelaunayArgs, Triangulated};
+use crate::cli::Common;
 use crate::cli::failure::Failure;
 use crate::cli::progress::Watch;
 use crate::cli::report::Report;
@@ -20,7 +21,8 @@ pub(super) fn tetrahedralize(
     let points: Vec<DVec3> = points.map(DVec3::from).collect();
     let delaunay = watch
         .stage("triangulate", |watch| {
-            Delaunay3::build_with(&points, &mut |progress| watch.report(progress))
+            let mut report = |progress| watch.report(progress);
+            Delaunay3::build_on(&points, Common::build_options(), &mut report)
         })
         .map_err(|error| match error {
             BuildError::Flat(flat) => Failure::input(&args.points, flat_text(&flat, is_planar)),
@@ -43,15 +45,20 @@ pub(super) fn tetrahedralize(
 /// What points that span no tetrahedron are instead, and what can be done with them.
 fn flat_text(flat: &Flat, is_planar: bool) -> String {
     let what = BuildError::Flat(Box::new(flat.clone()));
-    let first = |plane: &TriMesh| {
-        let mut faces = plane.faces();
-        let face = faces.find(|&face| !plane.is_ghost_face(face))?;
-        let mut corners = plane.face_vertices(face);
-        corners.sort_unstable();
-        let [a, b, c] = corners;
+    let through_first = |plane: &TriMesh| {
+        let real = plane.faces().filter(|&face| !plane.is_ghost_face(face));
+        let mut corners: Vec<_> = real.map(|face| plane.face_vertices(face)).collect();
+        corners
+            .iter_mut()
+            .for_each(|corners| corners.sort_unstable());
+        let [a, b, c] = corners.into_iter().min()?;
         Some(format!(", that through {a}, {b} and {c}"))
     };
-    let through = flat.plane.as_ref().and_then(first).unwrap_or_default();
+    let through = flat
+        .plane
+        .as_ref()
+        .and_then(through_first)
+        .unwrap_or_default();
     let hint = if is_planar && flat.plane.is_some() {
         "; --dim 2 triangulates the plane"
     } else {
