@@ -3,6 +3,7 @@
 //! It is taken at the corner with the largest angle, where the two edges are shortest, and summed with the
 //! rounding errors of the differences and of the products.
 
+use super::double_double::{product, sum};
 use glam::DVec2;
 
 /// The corners in the same cyclic order, starting opposite the longest edge.
@@ -37,27 +38,9 @@ pub(super) fn doubled_area([a, b, c]: [DVec2; 3], unit: f64) -> f64 {
     (left - right) + correction
 }
 
-/// What `p - q` loses by rounding (Knuth's exact sum, per coordinate).
+/// What `p - q` loses by rounding, per coordinate.
 fn difference_tail(p: DVec2, q: DVec2) -> DVec2 {
-    let difference = p - q;
-    let q_virtual = p - difference;
-    let p_virtual = difference + q_virtual;
-    (p - p_virtual) + (q_virtual - q)
-}
-
-/// A product and what it loses by rounding (Dekker's splitting).
-fn product(x: f64, y: f64) -> (f64, f64) {
-    let product = x * y;
-    let ((x_high, x_low), (y_high, y_low)) = (split(x), split(y));
-    let error = ((product - x_high * y_high) - x_low * y_high) - x_high * y_low;
-    (product, x_low * y_low - error)
-}
-
-/// Two halves of 26 bits each.
-fn split(x: f64) -> (f64, f64) {
-    let scaled = 134_217_729.0 * x;
-    let high = scaled - (scaled - x);
-    (high, x - high)
+    DVec2::new(sum(p.x, -q.x).1, sum(p.y, -q.y).1)
 }
 
 #[cfg(test)]

@@ -40,6 +40,7 @@ pub mod tetrahedron;
 pub mod triangle;
 
 mod angle;
+mod double_double;
 mod doubled_area;
 mod histogram;
 mod scale;

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::angle::degrees;
+use super::double_double::DoubleDVec3;
 use super::scale::{length, scale, scaled};
 
 /// The six edges, as pairs of corners, each followed by the two corners of the opposite edge.
@@ -25,6 +26,34 @@ pub fn signed_volume(corners: [DVec3; 4]) -> f64 {
     let spanned = spanned(corners);
     let unit = spanned.unit;
     spanned.determinant() / 6.0 * unit * unit * unit
+}
+
+/// The point at equal distance from the corners; [`DVec3::INFINITY`] when the volume is zero.
+///
+/// Relative to the circumradius the error is of the order of 1e-15, for slivers too: where doubles would
+/// cancel, twice the digits are used. Only the center of a tetrahedron whose volume is below about 1e-30 of
+/// the cube of its longest edge may be anywhere along its axis, even at infinity.
+#[must_use]
+pub fn circumcenter(corners: [DVec3; 4]) -> DVec3 {
+    let spanned = spanned(corners);
+    let center = match spanned.circumcenter() {
+        Some(offset) => corners[0] + spanned.unit * offset,
+        None => corners[0] + spanned.unit * accurate_circumcenter(corners, spanned.unit),
+    };
+    if center.is_finite() {
+        center
+    } else {
+        DVec3::INFINITY
+    }
+}
+
+/// The circumcenter relative to the first corner, in units of `unit`, with twice the digits.
+#[cold]
+fn accurate_circumcenter([a, b, c, d]: [DVec3; 4], unit: f64) -> DVec3 {
+    let [u, v, w] = [b, c, d].map(|corner| DoubleDVec3::difference(corner, a, unit));
+    let (vw, wu, uv) = (v.cross(w), w.cross(u), u.cross(v));
+    let offset = u.dot(u) * vw + v.dot(v) * wu + w.dot(w) * uv;
+    offset.rounded() / (2.0 * u.dot(vw).rounded())
 }
 
 /// Radius of the sphere through the corners, unit of length; infinite when the volume is zero.
@@ -141,16 +170,27 @@ fn spanned([a, b, c, d]: [DVec3; 4]) -> Spanned {
 impl Spanned {
     /// In units of `unit`, as all below.
     fn circumradius(&self) -> f64 {
-        let [u, v, w] = self.edges;
         let determinant = self.determinant().abs();
         if determinant == 0.0 {
             return f64::INFINITY;
         }
-        let [vw, wu, uv] = [v.cross(w), w.cross(u), u.cross(v)];
-        let toward_center =
-            u.length_squared() * vw + v.length_squared() * wu + w.length_squared() * uv;
         // Whatever rounds: no sphere through both ends of an edge of length one is smaller.
-        (length(toward_center) / (2.0 * determinant)).max(0.5)
+        (length(self.toward_center()) / (2.0 * determinant)).max(0.5)
+    }
+
+    /// The circumcenter relative to the first corner; `None` when the determinant has lost digits.
+    fn circumcenter(&self) -> Option<DVec3> {
+        const SLIVER: f64 = 0.125;
+        let determinant = self.determinant();
+        let is_thick = determinant.abs() > SLIVER;
+        is_thick.then(|| self.toward_center() / (2.0 * determinant))
+    }
+
+    /// The vector from the first corner to the circumcenter, times twice the determinant.
+    fn toward_center(&self) -> DVec3 {
+        let [u, v, w] = self.edges;
+        let [vw, wu, uv] = [v.cross(w), w.cross(u), u.cross(v)];
+        u.length_squared() * vw + v.length_squared() * wu + w.length_squared() * uv
     }
 
     /// r = 3 V / S, with 6 V the determinant and 2 S the sum of the lengths of the four normals.
@@ -237,6 +277,54 @@ mod tests {
     }
 
     #[test]
+    fn the_circumcenter_of_slivers_keeps_its_digits() {
+        // Integer points on a sphere of radius 27 round a center far away, at their exact places.
+        let side = -27_i32..=27;
+        let cube = side.clone().flat_map(|x| side.clone().map(move |y| (x, y)));
+        let cube = cube.flat_map(|(x, y)| side.clone().map(move |z| [x, y, z]));
+        let shell = cube.filter(|p| p.iter().map(|x| x * x).sum::<i32>() == 27 * 27);
+        let center = DVec3::new(1e6, -2e6, 3e6);
+        let shell: Vec<DVec3> = shell
+            .map(|p| center + DVec3::from(p.map(f64::from)))
+            .collect();
+        let mut slivers = 0;
+        for i in 0..shell.len() {
+            for step in 1..40 {
+                let t = [0, 1, step, 7 * step].map(|j| shell[(i + j) % shell.len()]);
+                let volume = signed_volume(t).abs();
+                if volume > 0.0 {
+                    assert_eq!(circumcenter(t), center, "{t:?}");
+                    slivers += usize::from(volume < 20.0);
+                }
+            }
+        }
+        assert!(slivers > 50, "{slivers}");
+        let nearly_flat = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [1.0, 1.0, 1e-17],
+        ];
+        // z = t / 2: the sphere meets the plane in the circle round the square, and the fourth corner.
+        assert_eq!(
+            circumcenter(corners(nearly_flat)),
+            DVec3::new(0.5, 0.5, 0.5e-17)
+        );
+    }
+
+    #[test]
+    fn the_circumcenter_without_volume_is_at_infinity() {
+        let flat = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        for t in [
+            corners(flat),
+            [DVec3::ONE; 4],
+            [DVec3::MAX, DVec3::MIN, DVec3::X, DVec3::Y],
+        ] {
+            assert_eq!(circumcenter(t), DVec3::INFINITY);
+        }
+    }
+
+    #[test]
     fn a_flat_square_has_the_worst_values() {
         let t = corners([[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
         assert_eq!(signed_volume(t), 0.0);
@@ -304,6 +392,7 @@ mod tests {
         let unit = corners(UNIT_CORNER);
         for size in [2f64.powi(-142), 2f64.powi(201)] {
             let scaled = unit.map(|p| p * size);
+            assert_eq!(circumcenter(scaled), size * circumcenter(unit));
             assert_eq!(circumradius(scaled), size * circumradius(unit));
             assert_eq!(radius_edge_ratio(scaled), radius_edge_ratio(unit));
             assert_eq!(radius_ratio(scaled), radius_ratio(unit));
