@@ -48,7 +48,7 @@ pub use options::BuildOptions;
 pub use tet::{
     Cavity3, CellCarver, Clipper, ConvexPolyhedron, Delaunay3, FACET_CORNERS, Flip, FlipError,
     HalfSpace, HalfSpaceError, Location3, Moments, PolyhedronError, PolyhedronFace, Ring, Side,
-    Star, TetMesh, Violation3, Voronoi3,
+    Star, TetMesh, Violation3, Voronoi3, VoronoiEdge3, VoronoiFacet3,
 };
 pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,

@@ -2,7 +2,10 @@
 
 #![allow(clippy::unwrap_used)]
 
-use delaunay_core::{ConvexPolyhedron, Delaunay3, HalfSpace, PolyhedronFace, Side, VertexId};
+use delaunay_core::{
+    ConvexPolyhedron, Delaunay3, HalfSpace, PolyhedronFace, Side, VertexId, VoronoiEdge3,
+    VoronoiFacet3,
+};
 use glam::{DVec3, dvec3};
 use proptest::prelude::*;
 use rand::{RngExt, SeedableRng};
@@ -209,6 +212,144 @@ fn a_window_that_misses_vertices_is_tiled_by_the_others() {
     let sum: f64 = volumes.iter().sum();
     assert!((sum / window.volume() - 1.0).abs() < 1e-12, "{sum}");
     assert!(volumes.contains(&0.0));
+}
+
+/// Sets without facets that are so thin that their centers are beyond comparison.
+fn round_sets() -> Vec<(&'static str, Vec<DVec3>)> {
+    let names = [
+        "uniform",
+        "lattice",
+        "shell",
+        "snapped, with duplicates",
+        "four",
+    ];
+    let sets = hard_sets().into_iter();
+    sets.filter(|(name, _)| names.contains(name)).collect()
+}
+
+/// Whether `p` is at the same distance from all of `vertices`, and no nearer to any other vertex.
+fn is_between(delaunay: &Delaunay3, p: DVec3, vertices: &[VertexId]) -> bool {
+    let distance = |v: VertexId| delaunay.point(v).distance(p);
+    let least = delaunay
+        .vertices()
+        .map(distance)
+        .fold(f64::INFINITY, f64::min);
+    let error = 1e-13 * p.length().max(1.0);
+    vertices.iter().all(|&v| distance(v) <= least + error)
+}
+
+#[test]
+fn edges_join_the_centers_of_tetrahedra_and_rays_leave_the_hull() {
+    for (name, points) in round_sets() {
+        let delaunay = Delaunay3::build(&points).unwrap();
+        let (mesh, mut rays) = (delaunay.mesh(), 0);
+        for (f, edge) in delaunay.voronoi().edges() {
+            let corners = mesh.facet_vertices(f);
+            let [a, b, c] = corners.map(|v| delaunay.point(v));
+            let (from, to) = match edge {
+                VoronoiEdge3::Segment { from, to } => (from, to),
+                VoronoiEdge3::Ray { from, direction } => {
+                    rays += 1;
+                    assert!((direction.length() - 1.0).abs() < 1e-15);
+                    (from, from + direction)
+                }
+            };
+            assert!(is_between(&delaunay, from, &corners), "{name}: {f}");
+            assert!(is_between(&delaunay, to, &corners), "{name}: {f}");
+            // The edge crosses outwards.
+            let outwards = (b - a).cross(c - a);
+            assert!(
+                (to - from).dot(outwards) >= -1e-13 * from.length().max(1.0),
+                "{name}: {f}"
+            );
+        }
+        assert_eq!(rays, delaunay.hull().count(), "{name}");
+        let facets = mesh.facets().count() / 2;
+        assert_eq!(
+            delaunay.voronoi().edges().count(),
+            facets - 3 * rays / 2,
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn facets_turn_counterclockwise_round_their_delaunay_edge() {
+    for (name, points) in round_sets() {
+        let delaunay = Delaunay3::build(&points).unwrap();
+        let (mut bounded, mut unbounded) = (0, 0);
+        for VoronoiFacet3 {
+            edge,
+            corners,
+            rays,
+        } in delaunay.voronoi().facets()
+        {
+            let [p, q] = edge.map(|v| delaunay.point(v));
+            let axis = (q - p).normalize();
+            let mut outline = corners;
+            match rays {
+                None => bounded += 1,
+                Some([first, last]) => {
+                    unbounded += 1;
+                    let ends = [outline[0] + first, outline[outline.len() - 1] + last];
+                    outline.insert(0, ends[0]);
+                    outline.push(ends[1]);
+                }
+            }
+            assert!(
+                outline
+                    .iter()
+                    .all(|&corner| is_between(&delaunay, corner, &edge)),
+                "{name}"
+            );
+            let turns = outline.windows(2).skip(1);
+            let areas =
+                turns.map(|turn| (turn[0] - outline[0]).cross(turn[1] - outline[0]).dot(axis));
+            let size = outline
+                .iter()
+                .map(|corner| corner.length())
+                .fold(1.0, f64::max);
+            assert!(
+                areas.into_iter().all(|area| area >= -1e-13 * size * size),
+                "{name}: {edge:?}"
+            );
+        }
+        let hull = delaunay.hull().count();
+        assert_eq!(unbounded, 3 * hull / 2, "{name}");
+        // Euler: vertices - edges + triangles - tetrahedra = 1 for the ball that is the hull.
+        let tets = delaunay.tets().count();
+        let triangles = (4 * tets + hull) / 2;
+        assert_eq!(
+            bounded + unbounded + tets + 1,
+            delaunay.vertex_count() + triangles,
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn facets_are_the_faces_of_cells() {
+    let delaunay = Delaunay3::build(&uniform(100, 11)).unwrap();
+    let window = ConvexPolyhedron::cuboid(DVec3::splat(-1e3), DVec3::splat(1e3)).unwrap();
+    for VoronoiFacet3 {
+        edge: [v, u],
+        corners,
+        rays,
+    } in delaunay.voronoi().facets()
+    {
+        if rays.is_some() || corners.iter().any(|corner| corner.length() > 3.0) {
+            continue;
+        }
+        let cell = delaunay.voronoi().cell(v, &window);
+        let face = cell
+            .faces()
+            .find(|face| face.side() == Side::Neighbor(u))
+            .unwrap();
+        assert_eq!(face.corners().count(), corners.len());
+        for corner in face.corners() {
+            assert!(corners.iter().any(|c| c.distance(corner) < 1e-12));
+        }
+    }
 }
 
 fn half_space() -> impl Strategy<Value = HalfSpace> {

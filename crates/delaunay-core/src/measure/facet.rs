@@ -3,7 +3,8 @@
 
 use glam::DVec3;
 
-use super::scale::scale;
+use super::double_double::DoubleDVec3;
+use super::scale::{scale, scaled};
 use super::shape::Shape;
 
 /// Area, not negative; square of the unit of length.
@@ -58,6 +59,20 @@ pub fn radius_ratio(corners: [DVec3; 3]) -> f64 {
     shape(corners).radius_ratio()
 }
 
+/// The normal of unit length from which the corners turn counterclockwise; zero for three corners on a line.
+///
+/// The error is of the order of 1e-16 unless the height is below about 1e-30 of the longest edge; then the
+/// normal may be anything, even zero.
+#[must_use]
+pub fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
+    let Some(unit) = scale([b - a, c - a].map(|edge| edge.abs().max_element())) else {
+        return DVec3::ZERO;
+    };
+    let [ab, ac] = [b, c].map(|corner| DoubleDVec3::difference(corner, a, unit));
+    let (_, cross) = scaled(ab.cross(ac).rounded());
+    cross.normalize_or_zero()
+}
+
 fn shape([a, b, c]: [DVec3; 3]) -> Shape {
     let edges = [b - a, c - b, a - c];
     let Some(unit) = scale(edges.map(|edge| edge.abs().max_element())) else {
@@ -94,6 +109,23 @@ mod tests {
         assert_eq!((area(t), circumradius(t), inradius(t)), (6.0, 2.5, 1.0));
         assert_eq!((shortest_edge(t), longest_edge(t)), (3.0, 5.0));
         assert_eq!((angles(t)[0], radius_ratio(t)), (90.0, 0.8));
+    }
+
+    #[test]
+    fn the_normal_of_a_thin_facet_keeps_its_digits() {
+        let thin = [
+            [1e6, 2e6, 3e6],
+            [1e6 + 1.0, 2e6 + 1.0, 3e6],
+            [1e6 + 2.0, 2e6 + 2.0, 3e6 + 1e-9],
+        ];
+        let normal = normal(thin.map(DVec3::from));
+        let exact = DVec3::new(1.0, -1.0, 0.0).normalize();
+        assert!(normal.distance(exact) < 1e-15, "{normal}");
+        assert_eq!(super::normal([DVec3::X, DVec3::Y, DVec3::Y]), DVec3::ZERO);
+        assert_eq!(
+            super::normal([DVec3::ZERO, DVec3::X * 1e50, DVec3::Y * 1e-40]),
+            DVec3::Z
+        );
     }
 
     #[test]

@@ -48,7 +48,7 @@ pub use cavity::Cavity3;
 pub use check::Violation3;
 pub use clip::Clipper;
 pub use delaunay::Delaunay3;
-pub use dual::Voronoi3;
+pub use dual::{Voronoi3, VoronoiEdge3, VoronoiFacet3};
 pub use face::PolyhedronFace;
 pub use flip::{Flip, FlipError};
 pub use half_space::{HalfSpace, HalfSpaceError};
