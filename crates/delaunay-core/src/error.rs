@@ -3,7 +3,7 @@
 use crate::ids::VertexId;
 use crate::progress::Cancelled;
 use crate::tri::{Extent, Flat};
-use geo_predicates::CoordinateError;
+use geo_predicates::{CoordinateError, WeightError};
 use thiserror::Error;
 
 /// Why there is no triangulation of the given points.
@@ -34,6 +34,25 @@ pub enum BuildError {
     /// The report closure stopped the work.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+}
+
+/// Why there is no regular triangulation of the given points and weights.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum RegularError {
+    /// There are not as many weights as points.
+    #[error("{points} points have {weights} weights")]
+    Count {
+        /// Points given.
+        points: usize,
+        /// Weights given.
+        weights: usize,
+    },
+    /// A weight is not accepted.
+    #[error(transparent)]
+    Weight(#[from] WeightError),
+    /// The points have no triangulation.
+    #[error(transparent)]
+    Build(#[from] BuildError),
 }
 
 /// Why a point was not inserted; the triangulation is as before.

@@ -33,6 +33,7 @@ pub mod order;
 pub mod progress;
 
 mod error;
+mod heaviest;
 mod hilbert;
 mod ids;
 mod memory;
@@ -41,7 +42,7 @@ mod tet;
 mod threads;
 mod tri;
 
-pub use error::{BuildError, InsertError, MoveError, RemoveError};
+pub use error::{BuildError, InsertError, MoveError, RegularError, RemoveError};
 pub use geo_predicates;
 pub use ids::{FaceId, FacetId, HalfEdgeId, TetId, VertexId};
 pub use options::BuildOptions;
@@ -50,6 +51,7 @@ pub use tet::{
     HalfSpace, HalfSpaceError, Location3, Moments, PolyhedronError, PolyhedronFace, Ring, Side,
     Star, TetMesh, Violation3, Voronoi3, VoronoiEdge3, VoronoiFacet3,
 };
+pub use tet::{Regular3, RegularViolation3};
 pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,
     PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,

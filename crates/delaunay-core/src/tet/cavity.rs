@@ -110,12 +110,7 @@ impl Delaunay3 {
 
     /// A tetrahedron in the cavity of a point at `location`, or the vertex that is there already.
     pub(super) fn seed(&self, location: Location3) -> Result<TetId, VertexId> {
-        match location {
-            Location3::Tet(tet) | Location3::Edge { tet, .. } => Ok(tet),
-            Location3::Facet(f) => Ok(f.tet()),
-            Location3::Outside(f) => Ok(self.mesh.twin(f).tet()),
-            Location3::Vertex(v) => Err(v),
-        }
+        location.seed(&self.mesh)
     }
 
     /// Fills `cavity` with the cavity of `p`, from a tetrahedron `seed` known to be in it.

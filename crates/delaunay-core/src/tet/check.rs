@@ -5,6 +5,7 @@ use super::mesh::TetMesh;
 use super::sight::Sight3;
 use crate::ids::{FacetId, TetId, VertexId};
 use geo_predicates::{Sign, orient3d};
+use glam::DVec3;
 use thiserror::Error;
 
 /// The first invariant found broken.
@@ -155,6 +156,50 @@ impl TetMesh {
     }
 }
 
+impl TetMesh {
+    /// Checks the mesh, the Euler characteristic of a closed space with `vertex_count` real vertices, and
+    /// that with the vertices at `coords`, by slot, the tetrahedra are right-handed and the hull convex.
+    pub(super) fn check_embedding(
+        &self,
+        coords: &[DVec3],
+        vertex_count: usize,
+    ) -> Result<(), Violation3> {
+        self.check()?;
+        let [vertices, edges, facets, tets] = self.counts();
+        require(
+            vertices + facets == edges + tets && vertices == vertex_count + 1,
+            Violation3::Euler {
+                vertices,
+                edges,
+                facets,
+                tets,
+            },
+        )?;
+        let mut real = self.tets().filter(|&t| !self.is_ghost_tet(t));
+        real.try_for_each(|t| self.check_orientation(t, coords))?;
+        let mut ghosts = self.star(VertexId::GHOST);
+        ghosts.try_for_each(|t| self.check_hull(t, coords))
+    }
+
+    fn check_orientation(&self, tet: TetId, coords: &[DVec3]) -> Result<(), Violation3> {
+        let [a, b, c, d] = self.tet_vertices(tet).map(|v| coords[v.slot()]);
+        require(
+            orient3d(a, b, c, d) == Sign::Positive,
+            Violation3::Orientation { tet },
+        )
+    }
+
+    fn check_hull(&self, tet: TetId, coords: &[DVec3]) -> Result<(), Violation3> {
+        let [a, b, c, _] = self.tet_vertices(tet).map(|v| coords[v.slot()]);
+        for corner in 0..3 {
+            let vertex = self.apex(self.twin(tet.facet(corner)));
+            let outside = orient3d(a, b, c, coords[vertex.slot()]) == Sign::Positive;
+            require(!outside, Violation3::HullNotConvex { tet, vertex })?;
+        }
+        Ok(())
+    }
+}
+
 impl Delaunay3 {
     /// Checks every invariant: those of the [mesh](TetMesh::check), the Euler characteristic of a closed
     /// space, right-handed tetrahedra, a convex hull, and empty circumspheres with the tie rule.
@@ -164,41 +209,9 @@ impl Delaunay3 {
     /// # Errors
     /// The first [`Violation3`], in the order above, then by id.
     pub fn check(&self) -> Result<(), Violation3> {
-        self.mesh.check()?;
-        let [vertices, edges, facets, tets] = self.mesh.counts();
-        require(
-            vertices + facets == edges + tets && vertices == self.vertex_count + 1,
-            Violation3::Euler {
-                vertices,
-                edges,
-                facets,
-                tets,
-            },
-        )?;
-        self.tets().try_for_each(|t| self.check_orientation(t))?;
-        let mut ghosts = self.mesh.star(VertexId::GHOST);
-        ghosts.try_for_each(|t| self.check_hull(t))?;
+        self.mesh.check_embedding(&self.coords, self.vertex_count)?;
         let mut facets = self.tets().flat_map(TetId::facets);
         facets.try_for_each(|f| self.check_empty_sphere(f))
-    }
-
-    fn check_orientation(&self, tet: TetId) -> Result<(), Violation3> {
-        let [a, b, c, d] = self.tetrahedron(tet);
-        require(
-            orient3d(a, b, c, d) == Sign::Positive,
-            Violation3::Orientation { tet },
-        )
-    }
-
-    fn check_hull(&self, tet: TetId) -> Result<(), Violation3> {
-        let [a, b, c, _] = self.mesh.tet_vertices(tet);
-        for corner in 0..3 {
-            let vertex = self.mesh.apex(self.mesh.twin(tet.facet(corner)));
-            let [a, b, c] = [a, b, c].map(|v| self.point_of(v));
-            let outside = orient3d(a, b, c, self.point_of(vertex)) == Sign::Positive;
-            require(!outside, Violation3::HullNotConvex { tet, vertex })?;
-        }
-        Ok(())
     }
 
     fn check_empty_sphere(&self, facet: FacetId) -> Result<(), Violation3> {

@@ -6,6 +6,7 @@
 //! ghost, is their half-edge mesh.
 
 use super::delaunay::Delaunay3;
+use super::mesh::TetMesh;
 use super::simplex::FlatCause;
 use crate::error::BuildError;
 use crate::ids::{HalfEdgeId, VertexId};
@@ -22,7 +23,22 @@ pub(super) fn describe(
     cause: &FlatCause,
     meter: &mut Meter<'_>,
 ) -> Result<Flat, BuildError> {
-    let mut flat = Flat::sorted_by(points.len(), |i| (points[i] + DVec3::ZERO).to_array());
+    let flat = Flat::sorted_by(points.len(), |i| (points[i] + DVec3::ZERO).to_array());
+    with_plane(flat, points, cause, |raised| {
+        let delaunay = Delaunay3::grow(raised, BuildOptions::default(), meter)?;
+        Ok(delaunay.into_mesh())
+    })
+}
+
+/// `flat` with the triangulation of its vertices in their plane, if they span one.
+///
+/// `triangulate` gets the places of the vertices of `flat`, then that of an apex beside the plane.
+pub(super) fn with_plane(
+    mut flat: Flat,
+    points: &[DVec3],
+    cause: &FlatCause,
+    triangulate: impl FnOnce(&[DVec3]) -> Result<TetMesh, BuildError>,
+) -> Result<Flat, BuildError> {
     if cause.extent != Extent::Plane {
         return Ok(flat);
     }
@@ -31,11 +47,11 @@ pub(super) fn describe(
     };
     let mut raised: Vec<DVec3> = flat.vertices.iter().map(|v| points[v.index()]).collect();
     raised.push(apex.place);
-    let delaunay = Delaunay3::grow(&raised, BuildOptions::default(), meter)?;
-    let link = delaunay.mesh().link(VertexId::new(raised.len() - 1));
+    let mesh = triangulate(&raised)?;
+    let link = mesh.link(VertexId::new(raised.len() - 1));
     let name = |v: VertexId| flat.vertices.get(v.index()).copied();
     let faces = link.map(|facet| {
-        let [a, b, c] = delaunay.mesh().facet_vertices(facet);
+        let [a, b, c] = mesh.facet_vertices(facet);
         let seen_from_above = if apex.above { [a, c, b] } else { [a, b, c] };
         seen_from_above.map(|v| name(v).unwrap_or(VertexId::GHOST))
     });

@@ -36,6 +36,18 @@ pub enum Location3 {
     Outside(FacetId),
 }
 
+impl Location3 {
+    /// A tetrahedron in the cavity of a new vertex here, or the vertex that is here already.
+    pub(super) fn seed(self, mesh: &TetMesh) -> Result<TetId, VertexId> {
+        match self {
+            Self::Tet(tet) | Self::Edge { tet, .. } => Ok(tet),
+            Self::Facet(f) => Ok(f.tet()),
+            Self::Outside(f) => Ok(mesh.twin(f).tet()),
+            Self::Vertex(v) => Err(v),
+        }
+    }
+}
+
 impl Delaunay3 {
     /// Where `p` is.
     ///

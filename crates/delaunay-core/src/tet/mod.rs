@@ -7,6 +7,7 @@
 //! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs` |
 //! | all points | `build.rs`, `simplex.rs`, `bulk/`; a few `grow.rs` |
 //! | one point less, or elsewhere | `remove.rs`, `movement.rs` |
+//! | weighted points | `regular/` |
 //! | points on a plane | `coplanar.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
 //! | the Voronoi diagram | `dual.rs`, `carve.rs` |
@@ -37,6 +38,7 @@ mod moments;
 mod movement;
 mod nearest;
 mod polyhedron;
+mod regular;
 mod remove;
 mod sight;
 mod simplex;
@@ -56,3 +58,4 @@ pub use locate::Location3;
 pub use mesh::{FACET_CORNERS, TetMesh};
 pub use moments::Moments;
 pub use polyhedron::{ConvexPolyhedron, PolyhedronError, Side};
+pub use regular::{Regular3, RegularViolation3};
