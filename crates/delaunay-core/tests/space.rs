@@ -2,11 +2,13 @@
 
 mod clouds;
 
-use clouds::space::{hard_sets, lattice, rng, skew_lines};
+use clouds::space::{hard_sets, lattice, rng, skew_lines, sphere, uniform};
 use delaunay_core::geo_predicates::{Sign, in_sphere, orient3d};
-use delaunay_core::{BuildError, Delaunay3, Extent, TetMesh, VertexId};
+use delaunay_core::progress::{Progress, silent};
+use delaunay_core::{BuildError, BuildOptions, Delaunay3, Extent, TetMesh, VertexId};
 use glam::DVec3;
 use rand::seq::SliceRandom;
+use std::ops::ControlFlow;
 
 /// The points named as in the first order: the canonical mesh over ids that do not depend on it.
 fn renamed(mesh: &TetMesh, names: &[usize]) -> Vec<[usize; 4]> {
@@ -131,4 +133,59 @@ fn flat_sets_are_described() {
     assert_eq!(extent(&lattice([7, 1, 1])), Extent::Line);
     assert_eq!(extent(&lattice([4, 5, 1])), Extent::Plane);
     assert_eq!(extent(&lattice([1, 4, 5])), Extent::Plane);
+}
+
+/// Sets large enough to be cut into parts.
+fn large_sets() -> Vec<(&'static str, Vec<DVec3>)> {
+    let scattered = uniform(60_000, 8);
+    let clusters = scattered.iter().enumerate().map(|(i, p)| {
+        let center = uniform(20, 9)[i % 20];
+        center + (*p - 0.5) * [1e-1, 1e-3, 1e-6][i % 3]
+    });
+    let repeated = scattered.iter().map(|p| (p * 30.0).floor());
+    let mut lattice = lattice([40, 40, 40]);
+    lattice.shuffle(&mut rng(10));
+    vec![
+        ("clusters", clusters.collect()),
+        ("duplicates", repeated.collect()),
+        ("lattice", lattice),
+        ("sphere", sphere(30_000, 11)),
+        ("uniform", scattered),
+    ]
+}
+
+#[test]
+fn the_number_of_threads_does_not_show() {
+    for (name, points) in large_sets() {
+        let on = |threads| {
+            let options = BuildOptions::on_threads(threads);
+            Delaunay3::build_on(&points, options, &mut silent).unwrap()
+        };
+        let alone = on(1);
+        assert_eq!(alone.check(), Ok(()), "{name}");
+        let expected = alone.mesh().canonical();
+        for threads in [2, 3, 8] {
+            let (first, again) = (on(threads), on(threads));
+            assert_eq!(
+                first.mesh().canonical(),
+                expected,
+                "{name}, {threads} threads"
+            );
+            assert_eq!(first.mesh(), again.mesh(), "{name}, {threads} threads");
+            assert_eq!(first.duplicates(), alone.duplicates(), "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_build_on_several_threads_can_be_stopped_anywhere() {
+    let points = uniform(60_000, 12);
+    for limit in [0, 5000, 20_000, 40_000, 59_000] {
+        let mut report = |progress: Progress| match progress.done >= limit {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        };
+        let stopped = Delaunay3::build_on(&points, BuildOptions::on_threads(3), &mut report);
+        assert!(matches!(stopped, Err(BuildError::Cancelled(_))), "{limit}");
+    }
 }

@@ -29,6 +29,14 @@ pub(super) struct Tet {
     pub(super) twin: [FacetId; 4],
 }
 
+impl Tet {
+    /// What a slot without a tetrahedron holds.
+    pub(super) const VACANT: Self = Self {
+        vertex: [VertexId::GHOST; 4],
+        twin: [FacetId::from_raw(0); 4],
+    };
+}
+
 /// Tetrahedra glued along facets into a closed complex: connectivity only, no coordinates.
 ///
 /// Ids are stable: a tetrahedron keeps its id until it is removed, and ids vacated are given out again,

@@ -2,7 +2,7 @@
 
 use super::arena::{Arena, Site};
 use super::circumsphere::{Circumsphere, arm};
-use super::inserter::{Inserter, Outcome, is_wide};
+use super::inserter::{Inserter, is_wide};
 use super::pile::Pile;
 use super::star::Star;
 use crate::error::BuildError;
@@ -16,9 +16,13 @@ use crate::tet::sight::Places;
 use crate::tet::simplex::{FlatCause, first_simplex, glue_simplex};
 use geo_predicates::filter::{Filter3, StaticFilter3};
 use glam::DVec3;
+use std::ops::Range;
 
 /// Slots reserved per point: uniform points have 6.77 tetrahedra each.
 const SLOTS_PER_POINT: usize = 7;
+
+/// Slots that a part has for tetrahedra beyond what is to be expected.
+const SLACK: usize = 2048;
 
 /// A triangulation of points numbered in the order of their insertion.
 pub(in crate::tet) struct Grown {
@@ -49,7 +53,9 @@ pub(in crate::tet) fn grow(
     let sites = sites_in_order(points, &order.indices, options);
     let simplex = first_simplex(sites.as_slice(), sites.len()).map_err(NotGrown::Flat)?;
     let mut growth = Growth::of_simplex(points, sites, simplex, options);
-    growth.insert_rest(simplex, meter)?;
+    for round in 0..order.rounds.len() {
+        growth.insert_round(order, round, options.threads.get(), meter)?;
+    }
     Ok(growth.finish())
 }
 
@@ -69,16 +75,20 @@ impl Places for &[Site] {
 }
 
 /// The records while points come in.
-struct Growth {
+pub(super) struct Growth {
     tets: Vec<Tet>,
     spheres: Vec<Circumsphere>,
     sites: Vec<Site>,
+    /// The vertices that were there from the start.
+    simplex: [VertexId; 4],
     filter: Filter3,
     box_filter: StaticFilter3,
     huge_pages: bool,
     free: Vec<TetId>,
     stamp: u32,
     last: TetId,
+    /// Points that are in, duplicates among them.
+    done: usize,
     duplicates: Vec<(VertexId, VertexId)>,
 }
 
@@ -92,7 +102,12 @@ impl Growth {
     ) -> Self {
         let mut mesh = TetMesh::default();
         glue_simplex(&mut mesh, simplex);
-        let room = (SLOTS_PER_POINT * points.len() + 64).min(TetId::LIMIT);
+        let slack = if options.threads.get() > 1 {
+            2 * SLACK * options.threads.get()
+        } else {
+            64
+        };
+        let room = (SLOTS_PER_POINT * points.len() + slack).min(TetId::LIMIT);
         let mut tets = vec_with_capacity(room, options.huge_pages);
         tets.extend_from_slice(&mesh.tets);
         let mut spheres = vec_with_capacity(room, options.huge_pages);
@@ -105,64 +120,130 @@ impl Growth {
             tets,
             spheres,
             sites,
+            simplex,
             filter: Filter3::for_points(points),
             box_filter: StaticFilter3::of_box(least, greatest),
             huge_pages: options.huge_pages,
             free: Vec::new(),
             stamp: 0,
             last: TetId::new(0),
+            done: 4,
             duplicates: Vec::new(),
         }
     }
 
-    /// Inserts every vertex but those of `simplex`.
-    fn insert_rest(
+    /// Whether `v` was there from the start.
+    pub(super) fn is_in_simplex(&self, v: VertexId) -> bool {
+        self.simplex.contains(&v)
+    }
+
+    /// The tetrahedra, vacant slots included.
+    pub(super) fn tets(&self) -> &[Tet] {
+        &self.tets
+    }
+
+    /// The part to which `v`, a real vertex, was given.
+    pub(super) fn part_of(&self, v: VertexId) -> u16 {
+        self.sites[v.slot()].mark.part
+    }
+
+    /// Gives the vertices of a range of slots to `part`.
+    pub(super) fn set_part(&mut self, slots: Range<usize>, part: u16) {
+        for site in &mut self.sites[slots] {
+            site.mark.part = part;
+        }
+    }
+
+    /// Inserts `points` on this thread.
+    pub(super) fn insert_all(
         &mut self,
-        simplex: [VertexId; 4],
+        points: &[VertexId],
         meter: &mut Meter<'_>,
     ) -> Result<(), BuildError> {
-        let mut inserter = self.inserter();
-        let slots = self.sites.len();
-        let mut slot = 1;
-        while slot < slots {
-            let v = VertexId::from_slot(slot);
-            if !simplex.contains(&v) {
-                let p = inserter.arena.place(v);
-                let next = inserter
-                    .arena
-                    .place(VertexId::from_slot((slot + 1).min(slots - 1)));
-                match inserter.insert(v, p, next) {
-                    Outcome::Inserted => {}
-                    Outcome::Duplicate(vertex) => self.duplicates.push((v, vertex)),
-                    Outcome::Full | Outcome::Late => {
-                        self.take_back(inserter);
-                        self.make_room()?;
-                        inserter = self.inserter();
-                        continue;
-                    }
-                }
+        let mut rest = points;
+        while !rest.is_empty() {
+            self.refresh_stamps(rest.len());
+            let mut inserter: Inserter<false> = self.inserter(0);
+            let outcome = inserter.insert_while_room(rest, meter, &mut self.duplicates);
+            self.free = inserter.free;
+            self.stamp = inserter.stamp;
+            self.last = inserter.last;
+            // SAFETY: slots below the first fresh one were taken in order and written.
+            unsafe { self.set_used(inserter.fresh.start) };
+            let done = outcome?;
+            self.done += done;
+            rest = &rest[done..];
+            if !rest.is_empty() {
+                self.make_room(self.tets.len() / 2 + SLACK)?;
             }
-            slot += 1;
-            meter.advance()?;
         }
-        self.take_back(inserter);
         Ok(())
     }
 
-    /// Who inserts points on this thread alone.
-    fn inserter(&mut self) -> Inserter<false> {
+    /// Inserters for parts with these numbers of points, with slots for as many tetrahedra as points had
+    /// so far, and some more.
+    pub(super) fn inserters(&mut self, sizes: &[usize]) -> Result<Vec<Inserter<true>>, BuildError> {
+        self.refresh_stamps(sizes.iter().sum());
+        let per_point = 1.03 * self.tets.len() as f64 / self.done as f64;
+        let slots = |points: usize| (per_point * points as f64) as usize + SLACK;
+        self.make_room(sizes.iter().map(|&points| slots(points)).sum())?;
+        let (mut start, mut stamp) = (self.tets.len(), self.stamp);
+        let free = std::mem::take(&mut self.free);
+        let mut shares = free.chunks(free.len() / sizes.len() + 1);
+        let parts = sizes.iter().enumerate().map(|(part, &points)| {
+            let mut inserter = self.inserter(part as u16);
+            inserter.free = shares.next().unwrap_or_default().to_vec();
+            inserter.fresh = start..start + slots(points);
+            inserter.stamp = stamp;
+            start += slots(points);
+            stamp += 2 * points as u32;
+            inserter
+        });
+        Ok(parts.collect())
+    }
+
+    /// Takes over what the parts have done: `done` points are in.
+    pub(super) fn take_back(&mut self, inserters: Vec<Inserter<true>>, done: usize) {
+        self.done += done;
+        let parts = inserters.len();
+        for (part, inserter) in inserters.into_iter().enumerate() {
+            self.free.extend(inserter.free);
+            self.stamp = self.stamp.max(inserter.stamp);
+            if inserter.has_start {
+                self.last = inserter.last;
+            }
+            let left_over = inserter
+                .fresh
+                .clone()
+                .map(|slot| TetId::from_raw(slot as u32));
+            if part + 1 < parts {
+                for t in left_over {
+                    inserter.arena.put(t, Tet::VACANT, Circumsphere::UNKNOWN);
+                    self.free.push(t);
+                }
+            } else {
+                // SAFETY: slots below the first fresh one of the last part were written by a part, or
+                // just now.
+                unsafe { self.set_used(inserter.fresh.start) };
+            }
+        }
+    }
+
+    /// An inserter over all slots in use, with what is free and fresh.
+    fn inserter<const SHARED: bool>(&mut self, part: u16) -> Inserter<SHARED> {
         let used = self.tets.len();
-        // SAFETY: until `take_back`, `tets`, `spheres` and `sites` are left alone by everyone else.
+        // SAFETY: until the inserter is taken back, the vectors are left alone by everyone else.
         let arena = unsafe { Arena::over(&mut self.tets, &mut self.spheres, &mut self.sites) };
         Inserter {
             arena,
             filter: self.filter,
             box_filter: self.box_filter,
-            part: 0,
+            part,
             is_wide: is_wide(),
             fresh: used..arena.room().min(TetId::LIMIT),
             free: std::mem::take(&mut self.free),
             stamp: self.stamp,
+            has_start: !SHARED,
             last: self.last,
             dug: Pile::new(TetId::from_raw(0)),
             outer: Pile::new(FacetId::from_raw(0)),
@@ -172,31 +253,43 @@ impl Growth {
         }
     }
 
-    /// Takes over what an inserter has done.
-    fn take_back(&mut self, inserter: Inserter<false>) {
-        self.free = inserter.free;
-        self.stamp = inserter.stamp;
-        self.last = inserter.last;
-        let used = inserter.fresh.start;
+    /// Makes sure that stamps for `points` insertions more are greater than all given out.
+    fn refresh_stamps(&mut self, points: usize) {
+        if self.stamp as usize + 2 * points + 2 < u32::MAX as usize {
+            return;
+        }
+        self.stamp = 0;
+        self.spheres.iter_mut().for_each(|sphere| sphere.stamp = 0);
+        let real = self.sites.iter_mut().skip(1);
+        real.for_each(|site| site.mark.stamp = 0);
+    }
+
+    /// Counts the slots up to `used` as in use.
+    ///
+    /// # Safety
+    /// They must be within the capacity and written, tetrahedra and spheres.
+    unsafe fn set_used(&mut self, used: usize) {
         debug_assert!(used <= self.tets.capacity() && used <= self.spheres.capacity());
-        // SAFETY: slots below `used` were taken from the fresh ones in order and written, and lie
-        // within both capacities.
+        // SAFETY: as the caller promises.
         unsafe {
             self.tets.set_len(used);
             self.spheres.set_len(used);
         }
     }
 
-    /// Makes room for half as many slots again.
-    fn make_room(&mut self) -> Result<(), BuildError> {
+    /// Makes room for so many tetrahedra more.
+    fn make_room(&mut self, more: usize) -> Result<(), BuildError> {
         let tets = self.tets.len();
-        let more = (tets / 2 + 4096).min(TetId::LIMIT - tets);
-        let full = BuildError::TooManyTets { tets };
-        if more == 0
+        let room = self.tets.capacity().min(self.spheres.capacity()) - tets;
+        if more <= room {
+            return Ok(());
+        }
+        let more = more.min(TetId::LIMIT - tets);
+        if more <= room
             || self.tets.try_reserve_exact(more).is_err()
             || self.spheres.try_reserve_exact(more).is_err()
         {
-            return Err(full);
+            return Err(BuildError::TooManyTets { tets });
         }
         if self.huge_pages {
             prefer_huge_pages(self.tets.spare_capacity_mut());
@@ -210,17 +303,19 @@ impl Growth {
         drop((self.spheres, self.sites));
         let mut mesh = TetMesh {
             tets: self.tets,
-            vacant: Vec::new(),
+            vacant: self.free,
             homes: Vec::new(),
         };
-        for t in self.free {
-            mesh.vacate(t);
-        }
         mesh.fill_gaps();
         Grown {
             mesh,
             duplicates: self.duplicates,
         }
+    }
+
+    /// Notes pairs (duplicate, its vertex).
+    pub(super) fn note_duplicates(&mut self, pairs: Vec<(VertexId, VertexId)>) {
+        self.duplicates.extend(pairs);
     }
 }
 

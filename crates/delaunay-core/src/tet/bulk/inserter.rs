@@ -1,10 +1,13 @@
 //! One thread's part of a bulk build: walk, dig, fill, for one point after the other.
 
 use super::arena::Arena;
+use super::circumsphere::Circumsphere;
 use super::pile::Pile;
 use super::star::{MAX_FACETS, Star};
 use super::walk::Walk;
 use crate::ids::{FacetId, TetId, VertexId};
+use crate::progress::{Cancelled, Meter};
+use crate::tet::mesh::Tet;
 use geo_predicates::filter::{Filter3, StaticFilter3};
 use glam::DVec3;
 use std::ops::Range;
@@ -35,6 +38,8 @@ pub(super) struct Inserter<const SHARED: bool> {
     pub(super) free: Vec<TetId>,
     /// Twice the number of the last insertion.
     pub(super) stamp: u32,
+    /// Whether [`last`](Self::last) is a tetrahedron of this part.
+    pub(super) has_start: bool,
     /// Where the next walk starts.
     pub(super) last: TetId,
     /// The cavity; then the slots of the star.
@@ -59,6 +64,7 @@ impl<const SHARED: bool> Inserter<SHARED> {
         if !self.dig_best(p, seed) {
             return Outcome::Late;
         }
+        let freed = self.free.len();
         if !self.take_slots() {
             return Outcome::Full;
         }
@@ -67,7 +73,43 @@ impl<const SHARED: bool> Inserter<SHARED> {
         } else {
             self.fill(v, p, next);
         }
+        for &t in self.free.get(freed..).unwrap_or_default() {
+            self.arena.put(t, Tet::VACANT, Circumsphere::UNKNOWN);
+        }
         Outcome::Inserted
+    }
+
+    /// Inserts points one after the other until slots run out; answers how many are done. Pairs
+    /// (duplicate, its vertex) are added to `duplicates`.
+    pub(super) fn insert_while_room(
+        &mut self,
+        points: &[VertexId],
+        meter: &mut Meter<'_>,
+        duplicates: &mut Vec<(VertexId, VertexId)>,
+    ) -> Result<usize, Cancelled> {
+        for (done, &v) in points.iter().enumerate() {
+            let next = points.get(done + 1).copied().unwrap_or(v);
+            let [p, next] = [v, next].map(|v| self.arena.place(v));
+            match self.insert(v, p, next) {
+                Outcome::Inserted => {}
+                Outcome::Duplicate(vertex) => duplicates.push((v, vertex)),
+                Outcome::Full | Outcome::Late => return Ok(done),
+            }
+            meter.advance()?;
+        }
+        Ok(points.len())
+    }
+
+    /// The real tetrahedron that has taken the slot of `t`, or that is beside the ghost that has.
+    pub(super) fn real_at(&self, t: TetId) -> Option<TetId> {
+        let tet = self.arena.tet(t);
+        let is_vacant = tet.vertex[0].is_ghost();
+        let real = if tet.vertex[3].is_ghost() {
+            tet.twin[3].tet()
+        } else {
+            t
+        };
+        (!is_vacant).then_some(real)
     }
 
     /// [`dig`](Self::dig), four neighbours at a time where the processor can.

@@ -9,7 +9,7 @@
 //! | one point: walk, dig, fill | `inserter.rs`, `walk.rs`, `dig.rs`, `star.rs`, `large.rs` |
 //! | branchless stacks | `pile.rs` |
 //! | the hottest loops four lanes wide | `wide.rs` |
-//! | all points | `growth.rs` |
+//! | all points, on one thread or several | `growth.rs`, `parts.rs` |
 
 #![allow(unsafe_code)]
 
@@ -19,6 +19,7 @@ mod dig;
 mod growth;
 mod inserter;
 mod large;
+mod parts;
 mod pile;
 mod star;
 mod walk;
