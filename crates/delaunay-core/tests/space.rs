@@ -137,19 +137,19 @@ fn flat_sets_are_described() {
 
 /// Sets large enough to be cut into parts.
 fn large_sets() -> Vec<(&'static str, Vec<DVec3>)> {
-    let scattered = uniform(60_000, 8);
+    let scattered = uniform(40_000, 8);
     let clusters = scattered.iter().enumerate().map(|(i, p)| {
         let center = uniform(20, 9)[i % 20];
         center + (*p - 0.5) * [1e-1, 1e-3, 1e-6][i % 3]
     });
     let repeated = scattered.iter().map(|p| (p * 30.0).floor());
-    let mut lattice = lattice([40, 40, 40]);
+    let mut lattice = lattice([32, 32, 32]);
     lattice.shuffle(&mut rng(10));
     vec![
         ("clusters", clusters.collect()),
         ("duplicates", repeated.collect()),
         ("lattice", lattice),
-        ("sphere", sphere(30_000, 11)),
+        ("sphere", sphere(20_000, 11)),
         ("uniform", scattered),
     ]
 }

@@ -2,10 +2,12 @@
 //! for every order and numbering.
 #![allow(clippy::unwrap_used)]
 
+use geo_predicates::filter::Filter3;
 use geo_predicates::{
     DVec2, DVec3, Lexicographic2, Lexicographic3, Sign, WeightedPoint2, WeightedPoint3,
-    cocircular_inside, in_circle, in_circle_perturbed, in_circle_perturbed_by, in_sphere_perturbed,
-    in_sphere_perturbed_by, orient2d, orient3d, power_circle_perturbed, power_sphere_perturbed,
+    cocircular_inside, cospherical_inside, in_circle, in_circle_perturbed, in_circle_perturbed_by,
+    in_sphere_perturbed, in_sphere_perturbed_by, orient2d, orient3d, power_circle_perturbed,
+    power_sphere_perturbed,
 };
 use proptest::prelude::*;
 
@@ -281,6 +283,27 @@ proptest! {
             cocircular_inside(Lexicographic2(a), Lexicographic2(b), Lexicographic2(apex), Lexicographic2(p)),
             in_circle_perturbed(a, b, apex, p)
         );
+    }
+
+    /// On the sphere round a cube.
+    #[test]
+    fn the_tie_of_five_agrees_with_the_perturbed_sphere(
+        points in prop::collection::hash_set((0u8..2, 0u8..2, 0u8..2), 5), scale in prop_oneof![Just(1.0), Just(0.1)],
+    ) {
+        let points: Vec<DVec3> = points
+            .iter()
+            .map(|&(x, y, z)| DVec3::new(f64::from(x), f64::from(y), f64::from(z)) * scale)
+            .collect();
+        let [a, b, c, d, e] = points[..] else { unreachable!() };
+        let corners = match orient3d(a, b, c, d) {
+            Sign::Positive => [a, b, c, d],
+            Sign::Negative => [b, a, c, d],
+            Sign::Zero => return Ok(()),
+        };
+        let [a, b, c, d] = corners;
+        for filter in [Filter3::GENERAL, Filter3::for_points(&points)] {
+            prop_assert_eq!(cospherical_inside(&filter, corners, e), in_sphere_perturbed(a, b, c, d, e));
+        }
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use super::mesh::TetMesh;
 use crate::ids::{TetId, VertexId};
 use geo_predicates::filter::{Filter3, Relative3};
-use geo_predicates::{Sign, in_sphere_perturbed, orient3d};
+use geo_predicates::{Sign, cospherical_inside, in_sphere_perturbed, orient3d};
 use glam::DVec3;
 
 /// Where vertices are; not numbers for the ghost.
@@ -97,11 +97,25 @@ impl<P: Places> Sight3<P> {
 
     /// Whether the point is in conflict with the tetrahedron of four real vertices.
     pub(super) fn in_real_conflict(&self, corners: [VertexId; 4]) -> bool {
-        let [a, b, c, d] = corners.map(|v| self.see(v));
-        match self.filter.in_sphere_relative(&a, &b, &c, &d) {
+        self.in_real_conflict_or(corners, |_, _| None)
+    }
+
+    /// [`in_real_conflict`](Self::in_real_conflict), with a second filter for `in_sphere` between the
+    /// first one and the exact predicate.
+    #[inline(always)]
+    pub(super) fn in_real_conflict_or(
+        &self,
+        corners: [VertexId; 4],
+        second: impl FnOnce([DVec3; 4], DVec3) -> Option<Sign>,
+    ) -> bool {
+        let places = corners.map(|v| self.places.place(v));
+        let [a, b, c, d] = places.map(|place| Relative3::new(place, self.from));
+        let sign = self.filter.in_sphere_relative(&a, &b, &c, &d);
+        match sign.or_else(|| second(places, self.from)) {
             Some(Sign::Positive) => true,
             Some(Sign::Negative) => false,
-            Some(Sign::Zero) | None => self.exact_conflict(corners),
+            Some(Sign::Zero) => cospherical_inside(&self.filter, places, self.from),
+            None => self.exact_conflict(corners),
         }
     }
 

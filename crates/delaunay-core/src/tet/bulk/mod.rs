@@ -8,7 +8,7 @@
 //! | records, and which thread may touch which | `arena.rs` |
 //! | one point: walk, dig, fill | `inserter.rs`, `walk.rs`, `dig.rs`, `star.rs`, `large.rs` |
 //! | branchless stacks | `pile.rs` |
-//! | the hottest loops four lanes wide | `wide.rs` |
+//! | the hottest loops four lanes wide, and doubled precision | `wide.rs`, `doubled.rs` |
 //! | all points, on one thread or several | `growth.rs`, `parts.rs` |
 
 #![allow(unsafe_code)]
@@ -16,6 +16,8 @@
 mod arena;
 mod circumsphere;
 mod dig;
+#[cfg(target_arch = "x86_64")]
+mod doubled;
 mod growth;
 mod inserter;
 mod large;

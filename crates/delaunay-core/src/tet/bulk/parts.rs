@@ -71,7 +71,8 @@ impl Growth {
         for shift in [0, 1] {
             let count = threads.min(points.len() / LEAST_POINTS);
             let count = count.min(Order::STRETCHES / 2);
-            if count < 2 {
+            // Before the first round is in, cavities reach across everything.
+            if count < 2 || round == 0 {
                 break;
             }
             points = self.insert_in_parts(order, round, &parts(count, shift), &points, meter)?;
@@ -162,7 +163,7 @@ fn stretch_of(order: &Order, last: usize, v: VertexId) -> usize {
 }
 
 fn stretch(starts: &[u32; Order::STRETCHES], v: VertexId) -> usize {
-    let after = starts.partition_point(|&start| start as usize <= v.slot() - 1);
+    let after = starts.partition_point(|&start| (start as usize) < v.slot());
     after.saturating_sub(1)
 }
 

@@ -5,10 +5,12 @@
 use super::circumsphere::{
     Circumsphere, MAX_CONDITION2, MAX_OFFSET2, MIN_PRODUCT2, RADIUS2, TOLERANCE,
 };
+use super::doubled;
 use super::inserter::Inserter;
 use super::pile::Pile;
 use super::star::LINK;
 use crate::ids::{FacetId, TetId};
+use crate::tet::sight::Sight3;
 use glam::DVec3;
 use std::arch::x86_64::*;
 
@@ -46,7 +48,7 @@ pub(super) fn is_supported() -> bool {
 /// Rows to columns of four vectors of four doubles.
 #[target_feature(enable = "avx2,fma,popcnt")]
 #[inline]
-fn transposed([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
+pub(super) fn transposed([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
     let (ab_low, ab_high) = (_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b));
     let (cd_low, cd_high) = (_mm256_unpacklo_pd(c, d), _mm256_unpackhi_pd(c, d));
     [
@@ -58,7 +60,7 @@ fn transposed([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
 }
 
 /// Three coordinates of four points.
-type Points = [__m256d; 3];
+pub(super) type Points = [__m256d; 3];
 
 #[target_feature(enable = "avx2,fma,popcnt")]
 #[inline]
@@ -88,7 +90,7 @@ fn minus([ax, ay, az]: Points, [bx, by, bz]: Points) -> Points {
 
 #[target_feature(enable = "avx2,fma,popcnt")]
 #[inline]
-fn broadcast(p: DVec3) -> Points {
+pub(super) fn broadcast(p: DVec3) -> Points {
     [
         _mm256_set1_pd(p.x),
         _mm256_set1_pd(p.y),
@@ -186,12 +188,27 @@ impl<const SHARED: bool> Inserter<SHARED> {
         let mut lanes = from_lanes(*stamps);
         let mut kept = 0;
         for i in (0..4).filter(|i| doubt >> i & 1 == 1) {
-            let (inside, stamp) = self.ask(tets[i], p, lanes[i]);
+            let (inside, stamp) = self.ask_in_doubled(tets[i], p, lanes[i]);
             kept |= u32::from(inside) << i;
             lanes[i] = stamp;
         }
         *stamps = as_lanes(lanes);
         kept
+    }
+
+    /// As [`ask`](Self::ask), with doubled precision before the exact predicate.
+    #[target_feature(enable = "avx2,fma,popcnt")]
+    #[inline]
+    fn ask_in_doubled(&self, t: TetId, p: DVec3, stamp: u32) -> (bool, u32) {
+        let corners = self.arena.tet(t).vertex;
+        let is_known = stamp == self.stamp || stamp == self.stamp + 1;
+        if is_known || corners[3].is_ghost() {
+            return self.ask(t, p, stamp);
+        }
+        let sight = Sight3::new(self.arena, self.filter, p);
+        let inside =
+            sight.in_real_conflict_or(corners, |corners, p| doubled::in_sphere(corners, p));
+        (inside, if inside { stamp } else { self.stamp })
     }
 
     /// Stores `inside` for the tetrahedra that are `kept`, and the stamps they have for the others.
