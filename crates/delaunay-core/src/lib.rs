@@ -56,3 +56,4 @@ pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,
     PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,
 };
+pub use tri::{Regular2, RegularViolation2};

@@ -9,6 +9,7 @@
 //! | one point less | `remove.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
 //! | the Voronoi diagram | `dual.rs`, `convex.rs`, `carve.rs` |
+//! | weighted points | `regular/` |
 //! | invariants | `check.rs` |
 
 mod around;
@@ -27,6 +28,7 @@ mod insert;
 mod locate;
 mod mesh;
 mod nearest;
+mod regular;
 mod remove;
 mod sight;
 mod star;
@@ -43,3 +45,4 @@ pub use hull::Hull;
 pub use insert::Inserted;
 pub use locate::Location;
 pub use mesh::TriMesh;
+pub use regular::{Regular2, RegularViolation2};
