@@ -152,12 +152,7 @@ impl Mesh {
         if u32::try_from(self.points.len()).is_err() {
             return Err(MeshDefect::TooManyPoints(self.points.len()));
         }
-        for (point, coordinates) in self.points.iter().enumerate() {
-            if let Some((axis, value)) = first_not_finite(coordinates) {
-                return Err(MeshDefect::NotFinite { point, axis, value });
-            }
-        }
-        Ok(())
+        check_finite(&self.points)
     }
 
     fn check_corners(&self) -> Result<(), MeshDefect> {
@@ -178,13 +173,22 @@ impl Mesh {
     }
 }
 
+pub(crate) fn check_finite(points: &[[f64; 3]]) -> Result<(), MeshDefect> {
+    for (point, coordinates) in points.iter().enumerate() {
+        if let Some((axis, value)) = first_not_finite(coordinates) {
+            return Err(MeshDefect::NotFinite { point, axis, value });
+        }
+    }
+    Ok(())
+}
+
 fn check_markers(what: &str, markers: Option<&[i32]>, expected: usize) -> Result<(), MeshDefect> {
     markers.map_or(Ok(()), |markers| {
         check_length(what, markers.len(), Some(expected), expected)
     })
 }
 
-fn check_data(what: &str, arrays: &[DataArray], rows: usize) -> Result<(), MeshDefect> {
+pub(crate) fn check_data(what: &str, arrays: &[DataArray], rows: usize) -> Result<(), MeshDefect> {
     arrays.iter().try_for_each(|array| {
         // An array without components can describe nothing, not even no rows.
         let expected = (array.components > 0)

@@ -204,6 +204,24 @@ fn every_output_holds_the_same_cells() {
 }
 
 #[test]
+fn voronoi_cells_are_written_beside_the_triangulation() {
+    let flat: Vec<[f64; 2]> = planar(&cloud());
+    let folder = Folder::with(&[("a.xyz", lines(&cloud())), ("b.xy", lines(&flat))]);
+    for (points, kind, sites) in [("a.xyz", 42, 60), ("b.xy", 7, 60)] {
+        for threads in ["1", "2"] {
+            let outputs = format!("-o c.msh --voronoi {threads}.vtu --threads {threads}");
+            run(&folder, &format!("delaunay {points} {outputs}"));
+        }
+        let bytes = |name: &str| std::fs::read_to_string(folder.path(name)).unwrap();
+        assert_eq!(bytes("1.vtu"), bytes("2.vtu"));
+        assert!(bytes("1.vtu").contains(&format!("NumberOfCells=\"{sites}\"")));
+        // Cells of any number of corners are not read back.
+        let error = folder.error(&["quality", "1.vtu"]);
+        assert!(error.contains(&format!("type {kind}")), "{error}");
+    }
+}
+
+#[test]
 fn the_result_does_not_depend_on_the_number_of_threads() {
     let grid = |i: u32| [i % 10, i / 10 % 10, i / 100].map(f64::from);
     let grid: Vec<_> = (0..1000).map(grid).collect();
@@ -270,6 +288,8 @@ fn what_makes_no_sense_is_said_in_one_line_with_file_place_and_element() {
         "a.node -o a.ele",
         "a.node -o b.ele --report b.node",
         "plane.xy -o a.svg",
+        "plane.xy -o a.vtu --voronoi a.msh",
+        "plane.xy -o a.vtu --voronoi ./a.vtu",
     ];
     let said = errors.map(|arguments| {
         let words = format!("delaunay {arguments}");

@@ -28,6 +28,13 @@ pub(super) enum Values<'a> {
     Ends(&'a Cells, Width),
     /// VTK's numbers of the kinds of the cells.
     Types(&'a Cells),
+    /// The same number of a kind for so many cells.
+    Type(u8, usize),
+    /// The numbers from 0 on, so many.
+    Counted(usize, Width),
+    Indices(&'a [u32], Width),
+    /// Numbers that fit the width.
+    Positions(&'a [u64], Width),
 }
 
 /// Bytes of an index.
@@ -84,7 +91,13 @@ impl Values<'_> {
             Self::Markers(_) => "Int32",
             Self::Corners(_, Width::Four) | Self::Ends(_, Width::Four) => "Int32",
             Self::Corners(_, Width::Eight) | Self::Ends(_, Width::Eight) => "Int64",
-            Self::Types(_) => "UInt8",
+            Self::Counted(_, Width::Four)
+            | Self::Indices(_, Width::Four)
+            | Self::Positions(_, Width::Four) => "Int32",
+            Self::Counted(_, Width::Eight)
+            | Self::Indices(_, Width::Eight)
+            | Self::Positions(_, Width::Eight) => "Int64",
+            Self::Types(_) | Self::Type(..) => "UInt8",
         }
     }
 
@@ -96,6 +109,10 @@ impl Values<'_> {
             Self::Corners(cells, width) => cells.corners().len() * width.bytes(),
             Self::Ends(cells, width) => cells.len() * width.bytes(),
             Self::Types(cells) => cells.len(),
+            Self::Type(_, count) => count,
+            Self::Counted(count, width) => count * width.bytes(),
+            Self::Indices(indices, width) => indices.len() * width.bytes(),
+            Self::Positions(positions, width) => positions.len() * width.bytes(),
         };
         bytes as u64
     }
@@ -108,6 +125,12 @@ impl Values<'_> {
             Self::Corners(cells, width) => write_corners(out, cells, width),
             Self::Ends(cells, width) => write_ends(out, cells, width),
             Self::Types(cells) => write_each(out, cells.kinds(), |kind| [vtk_type(kind)]),
+            Self::Type(kind, count) => write_repeated(out, kind, count),
+            Self::Counted(count, width) => write_positions(out, 0..count as u64, width),
+            Self::Indices(indices, width) => write_indices(out, indices, width),
+            Self::Positions(positions, width) => {
+                write_positions(out, positions.iter().copied(), width)
+            }
         }
     }
 }
@@ -127,6 +150,14 @@ fn write_each<T: Copy, const N: usize>(
             *slot = bytes(value);
         }
         out.write_all(filled.as_flattened())?;
+    }
+    Ok(())
+}
+
+fn write_repeated(out: &mut impl Write, byte: u8, count: usize) -> io::Result<()> {
+    let gathered = [byte; GATHERED];
+    for written in (0..count).step_by(GATHERED) {
+        out.write_all(&gathered[..(count - written).min(GATHERED)])?;
     }
     Ok(())
 }
@@ -155,20 +186,28 @@ fn write_indices(out: &mut impl Write, indices: &[u32], width: Width) -> io::Res
 }
 
 fn write_ends(out: &mut impl Write, cells: &Cells, width: Width) -> io::Result<()> {
-    let mut end: u64 = 0;
-    for kinds in cells.kinds().chunks(GATHERED) {
-        let after = |kind: &CellKind| {
-            end += kind.corner_count() as u64;
-            end
-        };
-        let ends: Vec<u64> = kinds.iter().map(after).collect();
+    let kinds = cells.kinds().iter();
+    let ends = kinds.scan(0, |end, kind| {
+        *end += kind.corner_count() as u64;
+        Some(*end)
+    });
+    write_positions(out, ends, width)
+}
+
+fn write_positions(
+    out: &mut impl Write,
+    mut positions: impl Iterator<Item = u64>,
+    width: Width,
+) -> io::Result<()> {
+    loop {
+        let chunk: Vec<u64> = positions.by_ref().take(GATHERED).collect();
         match width {
+            _ if chunk.is_empty() => return Ok(()),
             // They fit: the width was chosen so.
-            Width::Four => write_each(out, &ends, |end| (end as u32).to_le_bytes())?,
-            Width::Eight => write_each(out, &ends, u64::to_le_bytes)?,
+            Width::Four => write_each(out, &chunk, |position| (position as u32).to_le_bytes())?,
+            Width::Eight => write_each(out, &chunk, u64::to_le_bytes)?,
         }
     }
-    Ok(())
 }
 
 #[cfg(test)]

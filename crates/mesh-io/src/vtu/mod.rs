@@ -16,9 +16,11 @@ mod packed;
 mod piece;
 mod read;
 mod write;
+mod write_polytopes;
 
 pub use read::parse;
 pub use write::write;
+pub use write_polytopes::write_polytopes;
 
 use crate::cell::CellKind;
 

@@ -15,18 +15,30 @@ use crate::mesh::{DataArray, Mesh};
 /// stream answers.
 pub fn write(out: &mut impl Write, mesh: &Mesh) -> Result<(), WriteError> {
     mesh.check()?;
-    check_names(mesh)?;
+    check_names(mesh.point_data.iter().chain(&mesh.cell_data))?;
+    let counts = (mesh.points.len(), mesh.cells.len());
+    write_sections(out, counts, sections(mesh))
+}
+
+/// The elements of one piece, each with its arrays.
+pub(super) type Sections<'a> = [(&'static str, Vec<Array<'a>>); 4];
+
+/// Writes a file of one piece, of so many points and cells.
+pub(super) fn write_sections(
+    out: &mut impl Write,
+    (points, cells): (usize, usize),
+    sections: Sections<'_>,
+) -> Result<(), WriteError> {
     out.write_all(
         b"<?xml version=\"1.0\"?>\n\
           <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
           <UnstructuredGrid>\n",
     )?;
-    let (points, cells) = (mesh.points.len(), mesh.cells.len());
     writeln!(
         out,
         "<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">"
     )?;
-    for (element, arrays) in sections(mesh) {
+    for (element, arrays) in sections {
         writeln!(out, "<{element}>")?;
         arrays.iter().try_for_each(|array| array.write(out))?;
         writeln!(out, "</{element}>")?;
@@ -36,7 +48,7 @@ pub fn write(out: &mut impl Write, mesh: &Mesh) -> Result<(), WriteError> {
 }
 
 /// The arrays of the file, by the elements that hold them.
-fn sections(mesh: &Mesh) -> [(&'static str, Vec<Array<'_>>); 4] {
+fn sections(mesh: &Mesh) -> Sections<'_> {
     let width = Width::for_numbers_to(mesh.cells.corners().len().max(mesh.points.len()));
     let array = |name, components, values| Array {
         name,
@@ -65,7 +77,7 @@ fn sections(mesh: &Mesh) -> [(&'static str, Vec<Array<'_>>); 4] {
     ]
 }
 
-fn data<'a>(fields: &'a [DataArray], markers: Option<&'a [i32]>) -> Vec<Array<'a>> {
+pub(super) fn data<'a>(fields: &'a [DataArray], markers: Option<&'a [i32]>) -> Vec<Array<'a>> {
     let fields = fields.iter().map(|field| Array {
         name: &field.name,
         components: field.components,
@@ -79,12 +91,10 @@ fn data<'a>(fields: &'a [DataArray], markers: Option<&'a [i32]>) -> Vec<Array<'a
     fields.chain(markers).collect()
 }
 
-fn check_names(mesh: &Mesh) -> Result<(), WriteError> {
-    let mut names = mesh
-        .point_data
-        .iter()
-        .chain(&mesh.cell_data)
-        .map(|data| &data.name);
+pub(super) fn check_names<'a>(
+    fields: impl IntoIterator<Item = &'a DataArray>,
+) -> Result<(), WriteError> {
+    let mut names = fields.into_iter().map(|field| &field.name);
     names
         .find(|name| name.contains(char::is_control))
         .map_or(Ok(()), |name| {

@@ -11,8 +11,8 @@ use super::progress::Watch;
 use super::report::Report;
 
 /// Checks that every path names a format among `formats`.
-pub(crate) fn check_formats(
-    paths: &[PathBuf],
+pub(crate) fn check_formats<'a>(
+    paths: impl IntoIterator<Item = &'a PathBuf>,
     formats: &[Format],
     what: &str,
 ) -> Result<(), Failure> {

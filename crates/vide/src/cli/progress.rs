@@ -52,6 +52,13 @@ impl Watch {
         ControlFlow::Continue(())
     }
 
+    /// Hears of how many sites there are Voronoi cells.
+    pub(crate) fn voronoi(&mut self, done: usize, total: usize) {
+        let stage = "voronoi";
+        // Nothing here can stop the work.
+        let _ = self.report(Progress { stage, done, total });
+    }
+
     /// Hears how many bytes are written; how many there will be is not known.
     pub(crate) fn written(&mut self, bytes: u64) {
         if self.visible && self.start.elapsed() > PATIENCE {

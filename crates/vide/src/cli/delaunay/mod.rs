@@ -7,7 +7,7 @@ mod space;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use vide::mesh_io::{Dimension, Format, Mesh};
+use vide::mesh_io::{Dimension, Format, Mesh, Polytopes, vtu};
 use vide::quality::measure_mesh;
 
 use super::Common;
@@ -29,6 +29,9 @@ pub(crate) struct DelaunayArgs {
     /// everywhere being of the plane
     #[arg(long, value_enum, value_name = "2|3")]
     dim: Option<Dim>,
+    /// Voronoi cells to write, clipped to a box a tenth wider than the points all round
+    #[arg(long, value_name = "FILE.vtu")]
+    voronoi: Option<PathBuf>,
     #[command(flatten)]
     pub(super) common: Common,
 }
@@ -53,6 +56,7 @@ impl From<Dim> for Dimension {
 /// What came out, ready to be written.
 struct Triangulated {
     mesh: Mesh,
+    voronoi: Option<Polytopes>,
     report: Report,
 }
 
@@ -65,12 +69,21 @@ const FORMATS: [Format; 5] = [
     Format::Off,
 ];
 
+/// What Voronoi cells are clipped to, in messages.
+const WINDOW: &str = "the box round the points";
+
 pub(crate) fn run(args: &DelaunayArgs) -> Result<(), Failure> {
     check_formats(&args.output, &FORMATS, "triangles or tetrahedra")?;
-    check_places(&args.points, &args.output, &args.common.report)?;
+    check_formats(&args.voronoi, &[Format::Vtu], "Voronoi cells")?;
+    let others = args.voronoi.iter().chain(&args.common.report);
+    check_places(&args.points, &args.output, others)?;
     let mut watch = Watch::new(args.common.quiet);
     let points = watch.stage("read", |_| input::read(args))?;
-    let Triangulated { mesh, mut report } = match input::dimension(args, &points) {
+    let Triangulated {
+        mesh,
+        voronoi,
+        mut report,
+    } = match input::dimension(args, &points) {
         Dimension::Plane => plane::triangulate(args, points, &mut watch)?,
         Dimension::Space => {
             check_formats(&args.output, &FORMATS[..4], "tetrahedra")?;
@@ -84,7 +97,11 @@ pub(crate) fn run(args: &DelaunayArgs) -> Result<(), Failure> {
     let said = format!("{}\n{}", summary(&report), report.quality_table());
     write_together(watch, report, args.common.report.as_deref(), |outputs| {
         let mut paths = args.output.iter();
-        paths.try_for_each(|path| outputs.mesh(path, &mesh))
+        paths.try_for_each(|path| outputs.mesh(path, &mesh))?;
+        let mut cells = args.voronoi.iter().zip(&voronoi);
+        cells.try_for_each(|(path, cells)| {
+            outputs.file(path, |out| vtu::write_polytopes(out, cells))
+        })
     })?;
     args.common.say(&said);
     Ok(())

@@ -3,9 +3,10 @@
 use vide::convert::triangle_mesh;
 use vide::delaunay_core::Delaunay2;
 use vide::glam::DVec2;
-use vide::mesh_io::Points;
+use vide::mesh_io::{Points, Polytopes};
+use vide::voronoi::{voronoi_polygons, window_of_plane};
 
-use super::{DelaunayArgs, Triangulated};
+use super::{DelaunayArgs, Triangulated, WINDOW};
 use crate::cli::Common;
 use crate::cli::failure::Failure;
 use crate::cli::progress::Watch;
@@ -30,6 +31,10 @@ pub(super) fn triangulate(
         })
         .map_err(|error| Failure::input(&args.points, error))?;
     drop(points);
+    let voronoi = match &args.voronoi {
+        Some(_) => Some(voronoi(args, &delaunay, watch)?),
+        None => None,
+    };
     let mesh = watch.stage("sort", |_| triangle_mesh(&delaunay));
     let report = Report {
         dimension: Some(2),
@@ -40,5 +45,22 @@ pub(super) fn triangulate(
         hull_sides: Some(delaunay.hull().count()),
         ..Report::default()
     };
-    Ok(Triangulated { mesh, report })
+    Ok(Triangulated {
+        mesh,
+        voronoi,
+        report,
+    })
+}
+
+fn voronoi(
+    args: &DelaunayArgs,
+    delaunay: &Delaunay2,
+    watch: &mut Watch,
+) -> Result<Polytopes, Failure> {
+    let window = window_of_plane(delaunay.points())
+        .map_err(|error| Failure::input(&args.points, format_args!("{WINDOW}: {error}")))?;
+    let sites = delaunay.vertex_count();
+    Ok(watch.stage("voronoi", |watch| {
+        voronoi_polygons(delaunay, &window, &mut |done| watch.voronoi(done, sites))
+    }))
 }

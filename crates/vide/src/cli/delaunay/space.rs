@@ -3,9 +3,10 @@
 use vide::convert::tetrahedron_mesh;
 use vide::delaunay_core::{BuildError, Delaunay3, Flat, TriMesh};
 use vide::glam::DVec3;
-use vide::mesh_io::Points;
+use vide::mesh_io::{Points, Polytopes};
+use vide::voronoi::{voronoi_polyhedra, window_of_space};
 
-use super::{DelaunayArgs, Triangulated};
+use super::{DelaunayArgs, Triangulated, WINDOW};
 use crate::cli::Common;
 use crate::cli::failure::Failure;
 use crate::cli::progress::Watch;
@@ -29,6 +30,10 @@ pub(super) fn tetrahedralize(
             error => Failure::input(&args.points, error),
         })?;
     drop(points);
+    let voronoi = match &args.voronoi {
+        Some(_) => Some(voronoi(args, &delaunay, watch)?),
+        None => None,
+    };
     let mesh = watch.stage("sort", |_| tetrahedron_mesh(&delaunay));
     let report = Report {
         dimension: Some(3),
@@ -39,7 +44,24 @@ pub(super) fn tetrahedralize(
         hull_sides: Some(delaunay.hull().count()),
         ..Report::default()
     };
-    Ok(Triangulated { mesh, report })
+    Ok(Triangulated {
+        mesh,
+        voronoi,
+        report,
+    })
+}
+
+fn voronoi(
+    args: &DelaunayArgs,
+    delaunay: &Delaunay3,
+    watch: &mut Watch,
+) -> Result<Polytopes, Failure> {
+    let window = window_of_space(delaunay.points())
+        .map_err(|error| Failure::input(&args.points, format_args!("{WINDOW}: {error}")))?;
+    let sites = delaunay.vertex_count();
+    Ok(watch.stage("voronoi", |watch| {
+        voronoi_polyhedra(delaunay, &window, &mut |done| watch.voronoi(done, sites))
+    }))
 }
 
 /// What points that span no tetrahedron are instead, and what can be done with them.
