@@ -60,10 +60,8 @@ pub fn insertion_order<P: Spatial>(points: &[P]) -> Vec<u32> {
 pub(crate) struct Order {
     /// Indices of points in insertion order. A place in it is the *rank* of a point.
     pub(crate) indices: Vec<u32>,
-    #[allow(dead_code)] // Read by builds on several threads.
     /// The ranks of each round, one after the other; a round may be empty.
     pub(crate) rounds: Vec<Range<usize>>,
-    #[allow(dead_code)] // Read by builds on several threads.
     /// For each round, the rank at which it comes to each [stretch](Self::STRETCHES) of the curve.
     pub(crate) stretches: Vec<[u32; Self::STRETCHES]>,
 }
@@ -97,6 +95,26 @@ impl Order {
             rounds,
             stretches,
         }
+    }
+
+    /// The ranks at which equal parts of the curve begin in a round, and its end.
+    pub(crate) fn cuts(&self, round: usize, parts: usize) -> Vec<usize> {
+        let start = |part| self.start_of(round, part * Self::STRETCHES / parts);
+        (0..=parts).map(start).collect()
+    }
+
+    /// A rank of the round before about as far along the curve as `rank`, which is on `stretch`, is in `round`.
+    pub(crate) fn rank_before(&self, round: usize, rank: usize, stretch: usize) -> usize {
+        let [ours, theirs] = [round, round - 1]
+            .map(|round| [stretch, stretch + 1].map(|stretch| self.start_of(round, stretch)));
+        let way = rank.saturating_sub(ours[0]) * (theirs[1] - theirs[0]);
+        theirs[0] + way / (ours[1] - ours[0]).max(1)
+    }
+
+    /// The rank at which `round` comes to `stretch`, or its end.
+    fn start_of(&self, round: usize, stretch: usize) -> usize {
+        let start = self.stretches[round].get(stretch);
+        start.map_or(self.rounds[round].end, |&rank| rank as usize)
     }
 }
 

@@ -93,6 +93,15 @@ impl<'a> Meter<'a> {
         Ok(())
     }
 
+    /// Counts all steps up to `done`, however many they are, and reports.
+    ///
+    /// # Errors
+    /// [`Cancelled`] when the closure stops the loop.
+    pub fn reach(&mut self, done: usize) -> Result<(), Cancelled> {
+        self.progress.done = done;
+        self.tell()
+    }
+
     #[cold]
     fn tell(&mut self) -> Result<(), Cancelled> {
         let Progress { stage, done, total } = self.progress;

@@ -45,11 +45,22 @@ pub struct Cavity {
 
 /// An edge that still has to be crossed or put on the rim; it starts where the one above ends.
 #[derive(Clone, Copy, Debug)]
-struct PendingEdge {
-    end: Seen,
-    outer: HalfEdgeId,
+pub(super) struct PendingEdge {
+    pub(super) end: Seen,
+    pub(super) outer: HalfEdgeId,
     /// Cross of the end and the start.
-    backwards: Cross,
+    pub(super) backwards: Cross,
+}
+
+impl PendingEdge {
+    #[inline(always)]
+    pub(super) fn new(start: &Seen, end: Seen, outer: HalfEdgeId) -> Self {
+        Self {
+            end,
+            outer,
+            backwards: end.arm.cross(&start.arm),
+        }
+    }
 }
 
 impl Cavity {

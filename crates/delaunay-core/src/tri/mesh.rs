@@ -21,6 +21,14 @@ pub(super) struct Face {
     pub(super) twin: [HalfEdgeId; 3],
 }
 
+impl Face {
+    /// No face.
+    pub(super) const VACANT: Self = Self {
+        origin: [VertexId::GHOST; 3],
+        twin: [HalfEdgeId::NONE; 3],
+    };
+}
+
 /// Triangles glued along half-edges into a closed surface: connectivity only, no coordinates.
 ///
 /// Invariants ([`check`](TriMesh::check) names the first one broken):
@@ -194,18 +202,6 @@ impl TriMesh {
                 self.outgoing[face.origin[corner].slot()] = f.half_edge(corner);
             }
         }
-    }
-
-    /// Gives each vertex the name in its slot.
-    pub(super) fn rename_vertices(&mut self, names: &[VertexId]) {
-        for face in &mut self.faces {
-            face.origin = face.origin.map(|v| names[v.slot()]);
-        }
-        let mut outgoing = vec![HalfEdgeId::NONE; self.outgoing.len()];
-        for (name, &h) in names.iter().zip(&self.outgoing) {
-            outgoing[name.slot()] = h;
-        }
-        self.outgoing = outgoing;
     }
 
     /// Removes `f` by moving the last face into its place: the last face takes the id `f`.

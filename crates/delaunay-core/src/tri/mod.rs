@@ -5,7 +5,7 @@
 //! | connectivity, surgery | `mesh.rs`, `around.rs`, `canonical.rs` |
 //! | the triangulation and read access | `delaunay.rs`, `duplicates.rs`, `flat.rs` |
 //! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs` |
-//! | all points | `build.rs` |
+//! | all points | `build.rs`, `bulk/` |
 //! | one point less | `remove.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
 //! | the Voronoi diagram | `dual.rs`, `convex.rs`, `carve.rs` |
@@ -14,6 +14,7 @@
 
 mod around;
 mod build;
+mod bulk;
 mod canonical;
 mod carve;
 mod cavity;

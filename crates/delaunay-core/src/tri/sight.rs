@@ -31,15 +31,27 @@ impl Delaunay2 {
     /// that the filter was made for.
     #[inline(always)]
     pub(super) fn sight(&self, p: DVec2) -> Sight<'_> {
-        Sight {
-            coords: &self.coords,
-            filter: self.filter,
-            from: p,
-        }
+        Sight::new(&self.coords, self.filter, p)
     }
 }
 
-impl Sight<'_> {
+impl<'a> Sight<'a> {
+    /// What `from` sees of points given by vertex slot; it may be any point that the filter is valid for.
+    #[inline(always)]
+    pub(super) fn new(coords: &'a [DVec2], filter: Filter2, from: DVec2) -> Self {
+        Self {
+            coords,
+            filter,
+            from,
+        }
+    }
+
+    /// The point that looks.
+    #[inline(always)]
+    pub(super) fn from(&self) -> DVec2 {
+        self.from
+    }
+
     #[inline(always)]
     pub(super) fn see(&self, vertex: VertexId) -> Seen {
         let arm = Relative2::new(self.coords[vertex.slot()], self.from);

@@ -1,0 +1,110 @@
+//! From numbers in insertion order to the caller's.
+
+use super::super::mesh::{Face, TriMesh};
+use super::fill::faces_of;
+use super::rounds::Bulk;
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
+
+/// A mesh over the caller's points.
+pub(in super::super) struct Finish {
+    pub(in super::super) mesh: TriMesh,
+    /// Pairs (duplicate, its vertex).
+    pub(in super::super) duplicates: Vec<(VertexId, VertexId)>,
+}
+
+impl Bulk {
+    /// Passes from vertex slots in insertion order to the caller's numbers, given in that order; of equal
+    /// points the smallest number stands for all.
+    pub(in super::super) fn finish(mut self, order: &[u32]) -> Finish {
+        self.close_gaps();
+        let mut names: Vec<Name> = Vec::with_capacity(order.len() + 1);
+        names.push(Name::new(VertexId::GHOST));
+        names.extend(
+            order
+                .iter()
+                .map(|&index| Name::new(VertexId::new(index as usize))),
+        );
+        self.name_duplicates(&mut names);
+        let outgoing = name_corners(&mut self.faces, names);
+        Finish {
+            mesh: TriMesh {
+                faces: self.faces,
+                outgoing,
+            },
+            duplicates: self.duplicates,
+        }
+    }
+
+    /// Gives the smallest of the names at one place to the vertex there.
+    fn name_duplicates(&mut self, names: &mut [Name]) {
+        for (duplicate, vertex) in &self.duplicates {
+            if names[duplicate.slot()].vertex < names[vertex.slot()].vertex {
+                names.swap(duplicate.slot(), vertex.slot());
+            }
+        }
+        for pair in &mut self.duplicates {
+            *pair = (names[pair.0.slot()].vertex, names[pair.1.slot()].vertex);
+        }
+    }
+
+    /// Moves all faces behind the vacant ones of duplicates to the front.
+    fn close_gaps(&mut self) {
+        if self.duplicates.is_empty() {
+            return;
+        }
+        let mut vacant: Vec<u32> = vec![0; self.faces.len()];
+        for &(duplicate, _) in &self.duplicates {
+            for f in faces_of(duplicate) {
+                vacant[f.index()] = 1;
+            }
+        }
+        // From here on: how many faces before each are vacant.
+        let mut before = 0;
+        for count in &mut vacant {
+            before += std::mem::replace(count, before);
+        }
+        let moved = |h: HalfEdgeId| {
+            let f = FaceId::new(h.face().index() - vacant[h.face().index()] as usize);
+            f.half_edge(h.corner())
+        };
+        self.faces.retain(|face| *face != Face::VACANT);
+        for face in &mut self.faces {
+            face.twin = face.twin.map(moved);
+        }
+    }
+}
+
+/// What a vertex slot in insertion order stands for. Name and half-edge are side by side, because a pass over the
+/// corners needs them together.
+#[derive(Clone, Copy)]
+struct Name {
+    vertex: VertexId,
+    /// A half-edge that leaves the vertex, when found.
+    outgoing: HalfEdgeId,
+}
+
+impl Name {
+    fn new(vertex: VertexId) -> Self {
+        let outgoing = HalfEdgeId::NONE;
+        Self { vertex, outgoing }
+    }
+}
+
+/// Gives each corner the name in its slot; answers the half-edge with the smallest id that leaves each vertex, by
+/// its new slot.
+#[inline(never)]
+fn name_corners(faces: &mut [Face], mut names: Vec<Name>) -> Vec<HalfEdgeId> {
+    for (index, face) in faces.iter_mut().enumerate().rev() {
+        let f = FaceId::new(index);
+        for corner in (0..3).rev() {
+            let name = &mut names[face.origin[corner].slot()];
+            name.outgoing = f.half_edge(corner);
+            face.origin[corner] = name.vertex;
+        }
+    }
+    let mut outgoing = vec![HalfEdgeId::NONE; names.len()];
+    for name in names {
+        outgoing[name.vertex.slot()] = name.outgoing;
+    }
+    outgoing
+}
