@@ -1,6 +1,6 @@
 //! From the plain data of files to the types of the methods, and back.
 
-use delaunay_core::{Delaunay2, Delaunay3, VertexId};
+use delaunay_core::{TetMesh, TriMesh, VertexId};
 use glam::{DVec2, DVec3};
 use medial_blocking::{Block, BlockGrid, BlockMesh, Circle, Domain, DomainError, WallName};
 use mesh_io::{
@@ -84,30 +84,32 @@ pub fn patch_name(wall: WallName) -> String {
     }
 }
 
-/// A triangulation as a plain mesh: every point given, duplicates too, and the triangles.
+/// A triangulation as a plain mesh: every point given, also those that are no vertices, and the triangles.
 ///
 /// The triangles are in canonical order: each from its smallest corner on, sorted by their corners. So the
 /// mesh depends on the triangulation alone, not on the numbers of its faces. O(n log n).
 #[must_use]
-pub fn triangle_mesh(delaunay: &Delaunay2) -> Mesh {
-    let corners = |face| delaunay.mesh().face_vertices(face).map(number);
-    let mut triangles: Vec<[u32; 3]> = delaunay.faces().map(corners).map(from_smallest).collect();
+pub fn triangle_mesh(points: &[DVec2], mesh: &TriMesh) -> Mesh {
+    let real = mesh.faces().filter(|&face| !mesh.is_ghost_face(face));
+    let corners = |face| from_smallest(mesh.face_vertices(face).map(number));
+    let mut triangles: Vec<[u32; 3]> = real.map(corners).collect();
     triangles.par_sort_unstable();
-    let points = delaunay.points().iter().copied().map(flat).collect();
+    let points = points.iter().copied().map(flat).collect();
     Mesh::new(points, Cells::of_triangles(triangles))
 }
 
-/// A triangulation as a plain mesh: every point given, duplicates too, and the tetrahedra.
+/// A triangulation as a plain mesh: every point given, also those that are no vertices, and the tetrahedra.
 ///
 /// The tetrahedra are in canonical order: the corners of each ascending, but for the first two where
 /// that would turn it inside out, sorted by their corners. So the mesh depends on the triangulation alone,
 /// not on the numbers of its tetrahedra. O(n log n).
 #[must_use]
-pub fn tetrahedron_mesh(delaunay: &Delaunay3) -> Mesh {
-    let corners = |tet| delaunay.mesh().tet_vertices(tet).map(number);
-    let mut tetrahedra: Vec<[u32; 4]> = delaunay.tets().map(corners).map(ascending).collect();
+pub fn tetrahedron_mesh(points: &[DVec3], mesh: &TetMesh) -> Mesh {
+    let real = mesh.tets().filter(|&tet| !mesh.is_ghost_tet(tet));
+    let corners = |tet| ascending(mesh.tet_vertices(tet).map(number));
+    let mut tetrahedra: Vec<[u32; 4]> = real.map(corners).collect();
     tetrahedra.par_sort_unstable();
-    let points = delaunay.points().iter().map(DVec3::to_array).collect();
+    let points = points.iter().map(DVec3::to_array).collect();
     Mesh::new(points, Cells::of_tetrahedra(tetrahedra))
 }
 

@@ -221,6 +221,49 @@ fn voronoi_cells_are_written_beside_the_triangulation() {
     }
 }
 
+/// The points of a file with a weight for each.
+fn weighted(points: &[[f64; 3]], weight: impl Fn(usize) -> f64) -> Vec<[f64; 4]> {
+    let rows = points.iter().enumerate();
+    rows.map(|(i, &[x, y, z])| [x, y, z, weight(i)]).collect()
+}
+
+#[test]
+fn equal_weights_change_nothing_and_small_ones_hide_points() {
+    let cloud = cloud();
+    let flat: Vec<[f64; 3]> = cloud.iter().map(|&[x, y, _]| [x, y, 2.5]).collect();
+    let folder = Folder::with(&[
+        ("a.xyz", lines(&cloud)),
+        ("a.xy", lines(&planar(&cloud))),
+        ("equal.xyz", lines(&weighted(&cloud, |_| 2.5))),
+        ("equal.xy", lines(&flat)),
+        (
+            "light.xyz",
+            lines(&weighted(&cloud, |i| if i % 4 == 0 { -1e3 } else { 0.0 })),
+        ),
+    ]);
+    for name in ["xyz", "xy"] {
+        run(&folder, &format!("delaunay a.{name} -o a.vtu"));
+        run(
+            &folder,
+            &format!("delaunay equal.{name} --weighted -o b.vtu"),
+        );
+        let bytes = |name: &str| std::fs::read(folder.path(name)).unwrap();
+        assert!(bytes("a.vtu") == bytes("b.vtu"), "{name}");
+    }
+    let said = run(
+        &folder,
+        "delaunay light.xyz --weighted -o c.vtu --report c.json",
+    );
+    let report: Value =
+        serde_json::from_slice(&std::fs::read(folder.path("c.json")).unwrap()).unwrap();
+    let hidden = report["hidden"].as_u64().unwrap();
+    assert!(
+        hidden > 0 && said.contains(&format!("{hidden} hidden")),
+        "{said}"
+    );
+    assert_eq!(report["vertices"].as_u64().unwrap() + hidden, 60);
+}
+
 #[test]
 fn the_result_does_not_depend_on_the_number_of_threads() {
     let grid = |i: u32| [i % 10, i / 10 % 10, i / 100].map(f64::from);
@@ -265,7 +308,9 @@ fn what_makes_no_sense_is_said_in_one_line_with_file_place_and_element() {
         ("word.ply", "PLY\n"),
         ("odd.3d.f64", "0123456789"),
         ("which.f64", "0123456701234567"),
-        ("a.node", "3 2 1 0\n1 0 0 5\n2 1 0 5\n3 0 1 5\n"),
+        ("weights.xyz", "0 0 0 1\n1 0 0 1\n0 1 0 1\n1 1 0 1\n"),
+        ("heavy.xy", "0 0 1\n1 0 1e300\n0 1 1\n"),
+        ("a.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n"),
     ]);
     let errors = [
         "none.xyz -o a.vtu",
@@ -288,6 +333,11 @@ fn what_makes_no_sense_is_said_in_one_line_with_file_place_and_element() {
         "a.node -o a.ele",
         "a.node -o b.ele --report b.node",
         "plane.xy -o a.svg",
+        "plane.xy --weighted -o a.vtu",
+        "flat.xyz --weighted -o a.vtu",
+        "a.node --weighted -o b.vtu",
+        "weights.xyz --weighted --dim 3 -o a.vtu",
+        "heavy.xy --weighted -o a.vtu",
         "plane.xy -o a.vtu --voronoi a.msh",
         "plane.xy -o a.vtu --voronoi ./a.vtu",
     ];

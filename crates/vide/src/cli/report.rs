@@ -30,6 +30,9 @@ pub(crate) struct Report {
     pub(crate) leaning_arcs: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) duplicates: Option<usize>,
+    /// Weighted points without a cell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) hidden: Option<usize>,
     /// Vertices on the border of the convex hull, those that are no corners included.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) hull_vertices: Option<usize>,

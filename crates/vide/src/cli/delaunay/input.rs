@@ -8,7 +8,7 @@ use crate::cli::failure::Failure;
 pub(super) fn read(args: &DelaunayArgs) -> Result<Points, Failure> {
     let wanted = PointsWanted {
         dimension: args.dim.map(Dimension::from),
-        weights: false,
+        weights: args.weighted,
     };
     Ok(read_points(&args.points, wanted)?)
 }

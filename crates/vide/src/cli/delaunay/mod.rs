@@ -1,5 +1,6 @@
 //! `vide delaunay`: points in, triangles or tetrahedra out.
 
+mod flat;
 mod input;
 mod plane;
 mod space;
@@ -29,8 +30,12 @@ pub(crate) struct DelaunayArgs {
     /// everywhere being of the plane
     #[arg(long, value_enum, value_name = "2|3")]
     dim: Option<Dim>,
+    /// Regular triangulation: every point has a weight, the square of a radius, in a further column, the
+    /// first attribute of a .node, or what a .ply or .vtu calls weight
+    #[arg(long)]
+    weighted: bool,
     /// Voronoi cells to write, clipped to a box a tenth wider than the points all round
-    #[arg(long, value_name = "FILE.vtu")]
+    #[arg(long, value_name = "FILE.vtu", conflicts_with = "weighted")]
     voronoi: Option<PathBuf>,
     #[command(flatten)]
     pub(super) common: Common,
@@ -113,8 +118,12 @@ fn summary(report: &Report) -> String {
         _ => "triangles",
     };
     let count = |count: Option<usize>| count.unwrap_or_default();
+    let hidden = match report.hidden {
+        Some(hidden) => format!(", {hidden} hidden"),
+        None => String::new(),
+    };
     format!(
-        "{} {cells}, {} vertices, {} on the hull, {} duplicates",
+        "{} {cells}, {} vertices, {} on the hull, {} duplicates{hidden}",
         report.elements,
         report.vertices,
         count(report.hull_vertices),

@@ -1,11 +1,12 @@
 //! Points of space into tetrahedra.
 
 use vide::convert::tetrahedron_mesh;
-use vide::delaunay_core::{BuildError, Delaunay3, Flat, TriMesh};
+use vide::delaunay_core::{BuildError, Delaunay3, Regular3, RegularError, TetMesh};
 use vide::glam::DVec3;
-use vide::mesh_io::{Points, Polytopes};
+use vide::mesh_io::{Mesh, Points, Polytopes};
 use vide::voronoi::{voronoi_polyhedra, window_of_space};
 
+use super::flat::flat_text;
 use super::{DelaunayArgs, Triangulated, WINDOW};
 use crate::cli::Common;
 use crate::cli::failure::Failure;
@@ -17,38 +18,86 @@ pub(super) fn tetrahedralize(
     points: Points,
     watch: &mut Watch,
 ) -> Result<Triangulated, Failure> {
-    let is_planar = points.coordinates.are_planar();
-    let points = points.coordinates.into_space().into_iter();
+    let Points {
+        coordinates,
+        weights,
+    } = points;
+    let points = coordinates.into_space().into_iter();
     let points: Vec<DVec3> = points.map(DVec3::from).collect();
-    let delaunay = watch
-        .stage("triangulate", |watch| {
-            let mut report = |progress| watch.report(progress);
-            Delaunay3::build_on(&points, Common::build_options(), &mut report)
-        })
-        .map_err(|error| match error {
-            BuildError::Flat(flat) => Failure::input(&args.points, flat_text(&flat, is_planar)),
-            error => Failure::input(&args.points, error),
-        })?;
+    match weights {
+        None => delaunay(args, points, watch),
+        Some(weights) => regular(args, &points, &weights, watch),
+    }
+}
+
+fn delaunay(
+    args: &DelaunayArgs,
+    points: Vec<DVec3>,
+    watch: &mut Watch,
+) -> Result<Triangulated, Failure> {
+    let built = watch.stage("triangulate", |watch| {
+        let mut report = |progress| watch.report(progress);
+        Delaunay3::build_on(&points, Common::build_options(), &mut report)
+    });
+    let delaunay = built.map_err(|error| failed(args, &points, error))?;
     drop(points);
     let voronoi = match &args.voronoi {
         Some(_) => Some(voronoi(args, &delaunay, watch)?),
         None => None,
     };
-    let mesh = watch.stage("sort", |_| tetrahedron_mesh(&delaunay));
+    let (mesh, report) = sorted(delaunay.points(), delaunay.mesh(), watch);
     let report = Report {
-        dimension: Some(3),
         vertices: delaunay.vertex_count(),
-        elements: mesh.cells.len(),
         duplicates: Some(delaunay.duplicates().len()),
-        hull_vertices: Some(delaunay.hull_vertices().len()),
-        hull_sides: Some(delaunay.hull().count()),
-        ..Report::default()
+        ..report
     };
     Ok(Triangulated {
         mesh,
         voronoi,
         report,
     })
+}
+
+fn regular(
+    args: &DelaunayArgs,
+    points: &[DVec3],
+    weights: &[f64],
+    watch: &mut Watch,
+) -> Result<Triangulated, Failure> {
+    let built = watch.stage("triangulate", |watch| {
+        Regular3::build_with(points, weights, &mut |progress| watch.report(progress))
+    });
+    let regular = built.map_err(|error| match error {
+        RegularError::Build(error) => failed(args, points, error),
+        error => Failure::input(&args.points, error),
+    })?;
+    let (mesh, report) = sorted(regular.points(), regular.mesh(), watch);
+    let report = Report {
+        vertices: regular.vertex_count(),
+        duplicates: Some(regular.duplicates().len()),
+        hidden: Some(regular.hidden().len()),
+        ..report
+    };
+    Ok(Triangulated {
+        mesh,
+        voronoi: None,
+        report,
+    })
+}
+
+/// The mesh for files, and what its ghosts tell of the hull.
+fn sorted(points: &[DVec3], mesh: &TetMesh, watch: &mut Watch) -> (Mesh, Report) {
+    let tetrahedra = watch.stage("sort", |_| tetrahedron_mesh(points, mesh));
+    let ghosts = mesh.tet_count() - tetrahedra.cells.len();
+    let report = Report {
+        dimension: Some(3),
+        elements: tetrahedra.cells.len(),
+        // Euler: a sphere of f triangles has f / 2 + 2 vertices.
+        hull_vertices: Some(ghosts / 2 + 2),
+        hull_sides: Some(ghosts),
+        ..Report::default()
+    };
+    (tetrahedra, report)
 }
 
 fn voronoi(
@@ -64,27 +113,9 @@ fn voronoi(
     }))
 }
 
-/// What points that span no tetrahedron are instead, and what can be done with them.
-fn flat_text(flat: &Flat, is_planar: bool) -> String {
-    let what = BuildError::Flat(Box::new(flat.clone()));
-    let through_first = |plane: &TriMesh| {
-        let real = plane.faces().filter(|&face| !plane.is_ghost_face(face));
-        let mut corners: Vec<_> = real.map(|face| plane.face_vertices(face)).collect();
-        corners
-            .iter_mut()
-            .for_each(|corners| corners.sort_unstable());
-        let [a, b, c] = corners.into_iter().min()?;
-        Some(format!(", that through {a}, {b} and {c}"))
-    };
-    let through = flat
-        .plane
-        .as_ref()
-        .and_then(through_first)
-        .unwrap_or_default();
-    let hint = if is_planar && flat.plane.is_some() {
-        "; --dim 2 triangulates the plane"
-    } else {
-        ""
-    };
-    format!("{what}{through}, and span no tetrahedron{hint}")
+fn failed(args: &DelaunayArgs, points: &[DVec3], error: BuildError) -> Failure {
+    match error {
+        BuildError::Flat(flat) => Failure::input(&args.points, flat_text(*flat, points)),
+        error => Failure::input(&args.points, error),
+    }
 }
