@@ -214,6 +214,29 @@ fn a_window_that_misses_vertices_is_tiled_by_the_others() {
     assert!(volumes.contains(&0.0));
 }
 
+/// Looking at all corners for every neighbour took quadratic time.
+#[test]
+fn the_center_of_a_sphere_has_a_face_for_every_point_on_it() {
+    let count = 20_000;
+    let on_sphere = uniform(count, 12)
+        .into_iter()
+        .map(|p| (p * 2.0 - 1.0).normalize());
+    let points: Vec<DVec3> = on_sphere.chain([DVec3::ZERO]).collect();
+    let delaunay = Delaunay3::build(&points).unwrap();
+    let window = ConvexPolyhedron::cuboid(-DVec3::ONE, DVec3::ONE).unwrap();
+    let cell = delaunay.voronoi().cell(VertexId::new(count), &window);
+    assert_eq!(cell.faces().count(), count);
+    assert_eq!(cell.corners().len(), 2 * count - 4);
+    let inner_ball = std::f64::consts::PI / 6.0;
+    assert!(
+        (inner_ball..1.01 * inner_ball).contains(&cell.volume()),
+        "{}",
+        cell.volume()
+    );
+    let flux: DVec3 = cell.faces().map(|face| face.area() * face.normal()).sum();
+    assert!(flux.length() < 1e-12, "{flux}");
+}
+
 /// Sets without facets that are so thin that their centers are beyond comparison.
 fn round_sets() -> Vec<(&'static str, Vec<DVec3>)> {
     let names = [
@@ -412,6 +435,24 @@ proptest! {
         prop_assert!((forth.volume() - back.volume()).abs() < 1e-12);
         let corners = forth.corners().chain(back.corners());
         prop_assert!(corners.clone().all(|corner| corner.abs().max_element() <= 1.0 + 1e-12));
+    }
+
+    #[test]
+    fn no_finite_half_space_leaves_what_is_not_a_number(
+        cuts in prop::collection::vec(prop::array::uniform4(any::<f64>()), 0..8),
+        low in prop::array::uniform3(any::<f64>()),
+    ) {
+        let low = DVec3::from(low).clamp(DVec3::splat(-1e60), DVec3::splat(1e60));
+        let window = ConvexPolyhedron::cuboid(low, low + low.abs().max(DVec3::splat(1e-40)));
+        let mut polyhedron = window.unwrap_or_else(|_| cube());
+        for [x, y, z, limit] in cuts {
+            let Ok(half_space) = HalfSpace::new(dvec3(x, y, z), limit) else { continue };
+            polyhedron.clip(&half_space, Side::Window(6));
+            prop_assert!(polyhedron.corners().all(|corner| corner.is_finite()));
+            prop_assert!(polyhedron.volume().is_finite());
+            prop_assert!(polyhedron.moments().second.is_finite());
+            prop_assert!(polyhedron.faces().all(|face| face.area().is_finite() && face.normal().is_normalized()));
+        }
     }
 
     #[test]

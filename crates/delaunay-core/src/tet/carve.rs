@@ -4,10 +4,10 @@
 //! corner, hence all that follow, cannot cut it. All coordinates are relative to the vertex of the cell,
 //! where the bisectors round least.
 
-use super::clip::Clipper;
 use super::delaunay::Delaunay3;
 use super::half_space::HalfSpace;
 use super::polyhedron::{ConvexPolyhedron, Side};
+use super::rim::Clipper;
 use crate::ids::{TetId, VertexId};
 use rustc_hash::FxHashSet;
 
@@ -153,5 +153,39 @@ impl Neighbors {
         self.star.clear();
         self.seen.shrink_to(USUAL);
         self.star.shrink_to(USUAL);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    fn capacities(carver: &CellCarver<'_>) -> [usize; 6] {
+        let (cell, neighbors) = (&carver.cell, &carver.neighbors);
+        [
+            cell.corners.capacity(),
+            cell.faces.capacity(),
+            neighbors.nearest_first.capacity(),
+            neighbors.pending.capacity(),
+            neighbors.seen.capacity(),
+            neighbors.star.capacity(),
+        ]
+    }
+
+    #[test]
+    fn a_second_round_of_cells_needs_no_more_room() {
+        let scattered = |i: u32| (f64::from(i * i) * DVec3::new(0.1234, 0.2345, 0.3456)).fract();
+        let points: Vec<DVec3> = (0..300).map(scattered).collect();
+        let delaunay = Delaunay3::build(&points).unwrap();
+        let window = ConvexPolyhedron::cuboid(DVec3::ZERO, DVec3::ONE).unwrap();
+        let mut carver = CellCarver::new(&delaunay, &window);
+        let mut round = || {
+            for v in delaunay.vertices() {
+                carver.cell(v);
+            }
+            capacities(&carver)
+        };
+        assert_eq!(round(), round());
     }
 }

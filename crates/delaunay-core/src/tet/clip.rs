@@ -1,43 +1,23 @@
 //! Clipping of a convex polyhedron by a half-space.
 //!
-//! Topology first (Sugihara & Iri 1989): each corner is judged once, by the sign of its rounded height over the
-//! plane. Corners above go, all others stay, a corner in the plane too. The edges between the two kinds
-//! form a rim; each gets a new corner, and the new corners bound the new face.
+//! Topology first (Sugihara & Iri 1989): corners above the plane go, all others stay, and the surface is closed
+//! along the [rim](super::rim) between the two kinds, which is one loop whatever rounding has done to the
+//! signs. So the surface stays a sphere with three edges per corner.
 //!
-//! ```text
-//!          removed                     On the way round the rim the removed corners are on the
-//!        *----*     *                  left: from a rim edge to the next along the face between
-//!   -----|----|-----|----- plane       them. Where rounding makes the signs those of no convex
-//!        *    *-----*                  body, there are several rims; then corners too few to
-//!           kept                       matter change sides until there is one (mend).
-//! ```
-//!
-//! So the surface stays a sphere with three edges per corner whatever the numbers are. A new corner is between
-//! the ends of its edge, hence finite; then it is moved onto its three planes, as far as rounding may
-//! have put it off them. So it is as accurate as it is near the origin of the coordinates, however large the
-//! polyhedron was at the start.
+//! A new corner is between the ends of its edge, hence finite; then it is moved onto its three planes, as far
+//! as rounding may have put it off them. So it is as accurate as it is near the origin of the
+//! coordinates, however large the polyhedron was at the start.
 
 use super::half_space::HalfSpace;
 use super::polyhedron::{ConvexPolyhedron, Corner, End, Face, Side};
+use super::rim::{Clipper, Verdict};
 use glam::DVec3;
-
-/// Room for clipping, kept from one time to the next.
-#[derive(Clone, Debug, Default)]
-pub struct Clipper {
-    /// By corner: positive for those to be removed.
-    heights: Vec<f64>,
-    removed: Vec<u32>,
-    /// The ends, at removed corners, of the edges to corners that stay, in order round the new face.
-    rim: Vec<End>,
-    fresh: Vec<Corner>,
-    pending: Vec<usize>,
-}
 
 impl ConvexPolyhedron {
     /// Keeps what lies in `half_space`, and calls the new face `side`. Tells whether anything was cut off.
     ///
-    /// Corners in the plane stay as long as one is below it; else nothing is left. Linear in the number
-    /// of corners.
+    /// Corners in the plane stay as long as one is below it; else nothing is left. Takes time linear in the
+    /// number of corners, or in what is removed when there are many.
     pub fn clip(&mut self, half_space: &HalfSpace, side: Side) -> bool {
         self.clip_in(half_space, side, &mut Clipper::default())
     }
@@ -50,19 +30,14 @@ impl ConvexPolyhedron {
 
     /// Clips by a half-space relative to the origin of the polyhedron.
     pub(super) fn cut(&mut self, plane: &HalfSpace, side: Side, clipper: &mut Clipper) -> bool {
-        clipper.judge(&self.corners, plane);
-        if clipper.removed.is_empty() {
-            return false;
+        match clipper.judge(self, plane) {
+            Verdict::KeepAll => return false,
+            Verdict::RemoveAll => self.clear(),
+            Verdict::Divide => {
+                clipper.find_rim(self, plane);
+                self.close(plane, side, clipper);
+            }
         }
-        if clipper.heights.iter().all(|&height| height >= 0.0) {
-            self.clear();
-            return true;
-        }
-        if !clipper.trace_rim(self) {
-            clipper.mend(self);
-            clipper.trace_rim(self);
-        }
-        self.close(plane, side, clipper);
         true
     }
 
@@ -149,111 +124,6 @@ impl ConvexPolyhedron {
             self.put(slot, last);
         }
     }
-}
-
-impl Clipper {
-    fn judge(&mut self, corners: &[Corner], plane: &HalfSpace) {
-        self.heights.clear();
-        self.heights
-            .extend(corners.iter().map(|corner| plane.height(corner.place)));
-        self.list_removed();
-    }
-
-    fn list_removed(&mut self) {
-        self.removed.clear();
-        let above = self
-            .heights
-            .iter()
-            .enumerate()
-            .filter(|&(_, &height)| height > 0.0);
-        self.removed.extend(above.map(|(slot, _)| slot as u32));
-    }
-
-    #[inline]
-    fn is_removed(&self, slot: usize) -> bool {
-        self.heights[slot] > 0.0
-    }
-
-    /// Lists the rim of a removed corner; tells whether it is the only one.
-    fn trace_rim(&mut self, polyhedron: &ConvexPolyhedron) -> bool {
-        let slots = self.removed.iter();
-        let ends = slots.flat_map(|&slot| [0, 1, 2].map(|edge| End::new(slot as usize, edge)));
-        let mut rim_ends = ends.filter(|&end| !self.is_removed(polyhedron.twin(end).corner()));
-        let start = rim_ends.next();
-        let count = rim_ends.count() + 1;
-        self.rim.clear();
-        let mut here = start;
-        while let Some(end) = here {
-            self.rim.push(end);
-            let next = self.next_on_rim(polyhedron, end);
-            here = Some(next).filter(|_| Some(next) != start);
-        }
-        self.rim.len() == count
-    }
-
-    /// The rim end after `end`, round the face between: over its removed corners to the first that stays.
-    #[inline]
-    fn next_on_rim(&self, polyhedron: &ConvexPolyhedron, end: End) -> End {
-        let mut next = end.next();
-        loop {
-            let twin = polyhedron.twin(next);
-            if !self.is_removed(twin.corner()) {
-                return next;
-            }
-            next = twin.next();
-        }
-    }
-
-    /// Makes the removed corners and the kept ones connected, each kind with itself: then there is one
-    /// rim. Corners that rounding has put on the wrong side count as in the plane, or hardly above it.
-    #[cold]
-    fn mend(&mut self, polyhedron: &ConvexPolyhedron) {
-        let highest = extreme(&self.heights, 1.0);
-        self.keep_connected(polyhedron, highest, |height| height > 0.0, 0.0);
-        let lowest = extreme(&self.heights, -1.0);
-        self.keep_connected(
-            polyhedron,
-            lowest,
-            |height| height <= 0.0,
-            f64::MIN_POSITIVE,
-        );
-        self.list_removed();
-    }
-
-    /// Gives the height `otherwise` to corners of a kind that are not connected with `seed`.
-    fn keep_connected(
-        &mut self,
-        polyhedron: &ConvexPolyhedron,
-        seed: usize,
-        is_of_kind: impl Fn(f64) -> bool,
-        otherwise: f64,
-    ) {
-        let mut reached = vec![false; self.heights.len()];
-        reached[seed] = true;
-        self.pending.clear();
-        self.pending.push(seed);
-        while let Some(slot) = self.pending.pop() {
-            for twin in polyhedron.corners[slot].twins {
-                let other = twin.corner();
-                if is_of_kind(self.heights[other]) && !reached[other] {
-                    reached[other] = true;
-                    self.pending.push(other);
-                }
-            }
-        }
-        for (height, reached) in self.heights.iter_mut().zip(reached) {
-            if is_of_kind(*height) && !reached {
-                *height = otherwise;
-            }
-        }
-    }
-}
-
-/// The corner farthest up (`sign` 1) or down (-1).
-fn extreme(heights: &[f64], sign: f64) -> usize {
-    let farthest =
-        (0..heights.len()).max_by(|&i, &j| (heights[i] * sign).total_cmp(&(heights[j] * sign)));
-    farthest.unwrap_or(0)
 }
 
 /// `place` moved to the common point of three planes, if that is as near as rounding explains.

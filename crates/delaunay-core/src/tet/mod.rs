@@ -11,7 +11,7 @@
 //! | points on a plane | `coplanar.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
 //! | the Voronoi diagram | `dual.rs`, `carve.rs` |
-//! | convex polyhedra | `polyhedron.rs`, `half_space.rs`, `clip.rs`, `face.rs`, `moments.rs` |
+//! | convex polyhedra | `polyhedron.rs`, `half_space.rs`, `clip.rs`, `rim.rs`, `climb.rs`, `face.rs`, `moments.rs` |
 //! | invariants | `check.rs` |
 
 mod around;
@@ -21,6 +21,7 @@ mod canonical;
 mod carve;
 mod cavity;
 mod check;
+mod climb;
 mod clip;
 mod coplanar;
 mod delaunay;
@@ -40,6 +41,7 @@ mod nearest;
 mod polyhedron;
 mod regular;
 mod remove;
+mod rim;
 mod sight;
 mod simplex;
 mod star;
@@ -48,7 +50,6 @@ pub use around::{Ring, Star};
 pub use carve::CellCarver;
 pub use cavity::Cavity3;
 pub use check::Violation3;
-pub use clip::Clipper;
 pub use delaunay::Delaunay3;
 pub use dual::{Voronoi3, VoronoiEdge3, VoronoiFacet3};
 pub use face::PolyhedronFace;
@@ -59,3 +60,4 @@ pub use mesh::{FACET_CORNERS, TetMesh};
 pub use moments::Moments;
 pub use polyhedron::{ConvexPolyhedron, PolyhedronError, Side};
 pub use regular::{Regular3, RegularViolation3};
+pub use rim::Clipper;
