@@ -448,7 +448,7 @@ proptest! {
         for [x, y, z, limit] in cuts {
             let Ok(half_space) = HalfSpace::new(dvec3(x, y, z), limit) else { continue };
             polyhedron.clip(&half_space, Side::Window(6));
-            prop_assert!(polyhedron.corners().all(|corner| corner.is_finite()));
+            prop_assert!(polyhedron.corners().all(DVec3::is_finite));
             prop_assert!(polyhedron.volume().is_finite());
             prop_assert!(polyhedron.moments().second.is_finite());
             prop_assert!(polyhedron.faces().all(|face| face.area().is_finite() && face.normal().is_normalized()));

@@ -7,7 +7,7 @@
 //! than rounding are looked at, and their neighbours.
 
 use super::half_space::HalfSpace;
-use super::polyhedron::ConvexPolyhedron;
+use super::polyhedron::{ConvexPolyhedron, End};
 use rustc_hash::FxHashSet;
 
 /// Where the highest corner over a plane is.
@@ -69,10 +69,7 @@ impl Slope<'_> {
 
     /// The highest neighbour, if it is higher.
     fn up(&self, slot: usize) -> Option<usize> {
-        let neighbors = self.polyhedron.corners[slot]
-            .twins
-            .map(|twin| twin.corner());
-        let highest = self.highest(neighbors.into_iter());
+        let highest = self.highest(self.neighbors(slot).into_iter());
         highest.filter(|&next| self.height(next) > self.height(slot))
     }
 
@@ -82,10 +79,7 @@ impl Slope<'_> {
         let mut seen = FxHashSet::from_iter([slot]);
         let mut pending = vec![slot];
         while let Some(near) = pending.pop() {
-            for next in self.polyhedron.corners[near]
-                .twins
-                .map(|twin| twin.corner())
-            {
+            for next in self.neighbors(near) {
                 if self.height(next) > self.height(slot) {
                     return Some(next);
                 }
@@ -95,6 +89,10 @@ impl Slope<'_> {
             }
         }
         None
+    }
+
+    fn neighbors(&self, slot: usize) -> [usize; 3] {
+        self.polyhedron.corners[slot].twins.map(End::corner)
     }
 
     fn highest(&self, slots: impl Iterator<Item = usize>) -> Option<usize> {
