@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use std::io::Write;
 use vide::convert::{domain_of, structured_blocks};
-use vide::delaunay_core::measure::AngleSummary;
 use vide::medial_blocking::{
     BlockMesh, Blocking, BlockingError, COLLAPSED, CellCounts, Domain, MAX_CELLS, NodeMatching,
     Params,
@@ -159,10 +158,10 @@ fn report_of(mesh: &BlockMesh, vertices: usize) -> Report {
         medial_arcs: Some(blocking.arcs().len()),
         collapsed_arcs: Some(blocking.thin_arcs(COLLAPSED).count()),
         leaning_arcs: Some(mesh.leaning_arcs().len()),
-        angle: AngleSummary::of_quads(mesh.cells()).map(Into::into),
         ..Report::default()
     };
     report.measure(&measure_quads(mesh.cells()));
+    report.angle = report.angle_of_quads();
     report
 }
 

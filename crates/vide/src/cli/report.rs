@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::io::Write;
 
 use serde::Serialize;
-use vide::delaunay_core::measure::AngleSummary;
 use vide::mesh_io::WriteError;
 use vide::quality::Measured;
 
@@ -64,24 +63,6 @@ pub(crate) struct Angle {
     mean_largest: f64,
 }
 
-impl From<AngleSummary> for Angle {
-    fn from(summary: AngleSummary) -> Self {
-        let AngleSummary {
-            min,
-            max,
-            mean_smallest,
-            mean_largest,
-            ..
-        } = summary;
-        Self {
-            min,
-            max,
-            mean_smallest,
-            mean_largest,
-        }
-    }
-}
-
 /// How the values of a measure spread.
 #[derive(Serialize)]
 pub(crate) struct Spread {
@@ -108,6 +89,18 @@ impl Report {
             };
             self.quality.insert(name.clone(), spread);
         }
+    }
+
+    /// The angle figures of measured quads.
+    pub(crate) fn angle_of_quads(&self) -> Option<Angle> {
+        let smallest = self.quality.get("quad.min_angle")?;
+        let largest = self.quality.get("quad.max_angle")?;
+        Some(Angle {
+            min: smallest.min,
+            max: largest.max,
+            mean_smallest: smallest.mean,
+            mean_largest: largest.mean,
+        })
     }
 
     /// Writes the report as JSON.
