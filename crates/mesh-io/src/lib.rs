@@ -69,6 +69,7 @@ pub mod svg;
 pub mod triangle;
 pub mod vtu;
 mod write;
+mod write_as;
 pub mod xy;
 
 pub use atomic::{Counted, StagedWriter, write_atomically};

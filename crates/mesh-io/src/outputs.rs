@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use crate::atomic::{Staged, StagedWriter};
 use crate::block_mesh_dict::{self, Thickness};
 use crate::blocks::StructuredBlocks;
-use crate::error::{WriteError, WriteProblem};
+use crate::error::WriteError;
 use crate::format::Format;
 use crate::mesh::Mesh;
 use crate::numbers::Encoding;
-use crate::write::{format_of, write_as};
+use crate::write_as::{format_of, unsupported, write_as};
 use crate::{connectivity_map, plot3d, triangle};
 
 /// Files that are written beside their places, and put there when all are whole.
@@ -86,9 +86,7 @@ impl<'r> Outputs<'r> {
             Format::Plot3dAscii => Encoding::Ascii,
             Format::Plot3dBinary => Encoding::Binary,
             format => {
-                let what = "structured blocks".to_owned();
-                let problem = WriteProblem::Unsupported { format, what };
-                return Err(WriteError::from(problem).in_file(path));
+                return Err(unsupported(format, "structured blocks").in_file(path));
             }
         };
         let map = connectivity_map::path_beside(path);

@@ -1,19 +1,17 @@
 //! Writing a file in the format that its path names.
 
-use std::io::Write;
 use std::path::Path;
 
 use crate::atomic::write_atomically;
 use crate::blocks::StructuredBlocks;
-use crate::cell::Cell;
 use crate::circles::CirclesDomain;
-use crate::error::{WriteError, WriteProblem};
+use crate::error::WriteError;
 use crate::format::Format;
 use crate::mesh::Mesh;
-use crate::numbers::Encoding;
 use crate::outputs::Outputs;
 use crate::planar_graph::PlanarGraph;
-use crate::{circles_toml, msh, off, triangle, vtu, xy};
+use crate::write_as::{format_of, unsupported};
+use crate::{circles_toml, triangle};
 
 /// Writes a mesh, as a whole or not at all. Cells are never left out; markers and data are where a format has no place for them.
 ///
@@ -24,22 +22,6 @@ use crate::{circles_toml, msh, off, triangle, vtu, xy};
 /// the operating system refuses. O(mesh).
 pub fn write_mesh(path: &Path, mesh: &Mesh) -> Result<(), WriteError> {
     published(|outputs| outputs.mesh(path, mesh))
-}
-
-/// Writes one file of a mesh.
-pub(crate) fn write_as(
-    out: &mut impl Write,
-    format: Format,
-    mesh: &Mesh,
-) -> Result<(), WriteError> {
-    match format {
-        Format::Xy | Format::Xyz => xy::write(out, format, mesh),
-        Format::Off => off::write(out, mesh),
-        Format::Msh => msh::write(out, mesh, &[], Encoding::Ascii),
-        Format::TrianglePoly => triangle::write_poly(out, &graph_of(mesh)?),
-        Format::Vtu => vtu::write(out, mesh),
-        _ => Err(unsupported(format, "a mesh")),
-    }
 }
 
 /// Writes structured blocks, as a whole or not at all: as blocks where the format has them, as a mesh of quads elsewhere.
@@ -84,47 +66,4 @@ fn published(
     let mut outputs = Outputs::new(&mut silent);
     write(&mut outputs)?;
     outputs.publish()
-}
-
-/// The graph of a planar mesh that has only segments.
-fn graph_of(mesh: &Mesh) -> Result<PlanarGraph, WriteError> {
-    mesh.check()?;
-    let refuse = |what: &str| unsupported(Format::TrianglePoly, what);
-    let points = mesh
-        .points
-        .iter()
-        .enumerate()
-        .map(|(index, &[x, y, z])| match z {
-            0.0 => Ok([x, y]),
-            _ => Err(refuse(&format!("z = {z} of point {index}"))),
-        });
-    let segments = mesh
-        .cells
-        .iter()
-        .enumerate()
-        .map(|(index, cell)| match cell {
-            Cell::Segment(ends) => Ok(ends),
-            _ => Err(refuse(&format!("cell {index}, a {}", cell.kind().name()))),
-        });
-    Ok(PlanarGraph {
-        points: points.collect::<Result<_, _>>()?,
-        point_markers: mesh.point_markers.clone(),
-        point_data: mesh.point_data.clone(),
-        segments: segments.collect::<Result<_, _>>()?,
-        segment_markers: mesh.cell_markers.clone(),
-        ..PlanarGraph::default()
-    })
-}
-
-pub(crate) fn format_of(path: &Path) -> Result<Format, WriteError> {
-    Format::from_path(path)
-        .ok_or_else(|| WriteError::from(WriteProblem::UnknownFormat).in_file(path))
-}
-
-fn unsupported(format: Format, what: &str) -> WriteError {
-    WriteProblem::Unsupported {
-        format,
-        what: what.to_owned(),
-    }
-    .into()
 }

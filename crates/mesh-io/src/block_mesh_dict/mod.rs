@@ -20,6 +20,7 @@
 mod curves;
 mod patches;
 mod split;
+mod unsupported;
 mod vertices;
 mod write;
 

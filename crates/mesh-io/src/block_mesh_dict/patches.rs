@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::unsupported::unsupported;
 use super::vertices::{Turn, Vertices};
-use super::write::unsupported;
 use crate::blocks::{BlockSide, Connection, StructuredBlocks};
 use crate::error::WriteError;
 

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::curves::ambiguous;
+use super::unsupported::unsupported;
 use super::vertices::Vertices;
-use super::write::unsupported;
 use crate::blocks::{BlockSide, Connection, StructuredBlock, StructuredBlocks};
 use crate::error::WriteError;
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::write::unsupported;
+use super::unsupported::unsupported;
 use crate::blocks::{BlockSide, StructuredBlock, StructuredBlocks};
 use crate::error::WriteError;
 

@@ -5,10 +5,10 @@ use std::io::{self, Write};
 use super::curves::{curves, inner_nodes};
 use super::patches::{FRONT_AND_BACK, Patch, PatchKind, patches};
 use super::split::with_distinct_curves;
+use super::unsupported::unsupported;
 use super::vertices::{Turn, Vertices, turn_and_area};
 use crate::blocks::StructuredBlocks;
-use crate::error::{WriteError, WriteProblem};
-use crate::format::Format;
+use crate::error::WriteError;
 
 /// How thick the one layer of cells is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -49,14 +49,6 @@ pub fn write(
     write_edges(out, &blocks, &vertices, thickness)?;
     write_boundary(out, &vertices, &turns, &patches)?;
     Ok(writeln!(out, "mergePatchPairs\n(\n);")?)
-}
-
-pub(super) fn unsupported(what: String) -> WriteError {
-    WriteProblem::Unsupported {
-        format: Format::BlockMeshDict,
-        what,
-    }
-    .into()
 }
 
 fn check_plane(blocks: &StructuredBlocks) -> Result<(), WriteError> {

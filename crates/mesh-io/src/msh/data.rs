@@ -1,7 +1,7 @@
 //! `$NodeData` and `$ElementData`: named numbers about points and cells.
 
 use super::POINT_MARKERS;
-use super::read::Parts;
+use super::parts::Parts;
 use super::section::{decimal, end_line, end_section, quoted_text};
 use super::tag_index::TagIndex;
 use crate::error::{ReadError, ReadProblem};

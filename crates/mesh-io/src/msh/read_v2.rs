@@ -2,7 +2,7 @@
 
 use super::element_type::cell_kind;
 use super::nodes::Nodes;
-use super::read::{Parts, unsupported_type};
+use super::parts::{Parts, unsupported_type};
 use super::section::end_section;
 use crate::error::{ReadError, ReadProblem};
 use crate::numbers::Numbers;
