@@ -1,4 +1,5 @@
-//! VTU and MSH of square grids of quads, written to memory and parsed: time per cell stays the same from 10^4 to 10^6 cells.
+//! VTU and MSH of square grids of quads, written to memory and parsed: time per cell stays the same from 10^4 to 10^6 cells. Points
+//! of space in every format, parsed.
 
 #![allow(missing_docs, reason = "criterion writes the main function")]
 #![allow(clippy::unwrap_used, reason = "a bench may panic")]
@@ -6,7 +7,7 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use mesh_io::{Cell, Encoding, Mesh, msh, vtu};
+use mesh_io::{Cell, Coordinates, Dimension, Encoding, Mesh, Points, msh, ply, raw, vtu, xy};
 
 /// A bent square of `side` by `side` quads with markers.
 fn quads(side: u32) -> Mesh {
@@ -75,5 +76,47 @@ fn formats(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, formats);
+/// Points of space with sixteen digits in every coordinate.
+fn cloud(count: u32) -> Points {
+    let point = |k: u32| [7, 11, 13].map(|step| f64::from(k * step % 1009) / f64::from(k + 1));
+    Points {
+        coordinates: Coordinates::Space((0..count).map(point).collect()),
+        weights: None,
+    }
+}
+
+fn points(criterion: &mut Criterion) {
+    const COUNT: u32 = 100_000;
+    let cloud = cloud(COUNT);
+    let mut numbers = Vec::new();
+    raw::write(&mut numbers, &cloud).unwrap();
+    let Coordinates::Space(places) = &cloud.coordinates else {
+        return;
+    };
+    let line = |[x, y, z]: &[f64; 3]| format!("{x:?} {y:?} {z:?}\n");
+    let text: String = places.iter().map(line).collect();
+    let header = |format: &str| {
+        let properties = "property double x\nproperty double y\nproperty double z\n";
+        format!("ply\nformat {format} 1.0\nelement vertex {COUNT}\n{properties}end_header\n")
+    };
+    let ascii = header("ascii") + &text;
+    let binary = [header("binary_little_endian").as_bytes(), &numbers].concat();
+    let mut group = criterion.benchmark_group("points");
+    group.sample_size(10);
+    group.throughput(Throughput::Elements(COUNT.into()));
+    group.bench_function("raw", |bencher| {
+        bencher.iter(|| raw::parse(black_box(&numbers), Dimension::Space, false).unwrap());
+    });
+    group.bench_function("xyz", |bencher| {
+        bencher.iter(|| xy::parse::<3>(black_box(text.as_bytes())).unwrap());
+    });
+    for (name, file) in [("ply ascii", ascii.as_bytes()), ("ply binary", &binary)] {
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| ply::parse(black_box(file), false).unwrap());
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, formats, points);
 criterion_main!(benches);

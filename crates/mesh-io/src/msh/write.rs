@@ -45,30 +45,40 @@ struct Sink<'w, W> {
 }
 
 impl<W: Write> Sink<'_, W> {
-    fn number(&mut self, text: std::fmt::Arguments<'_>, bytes: &[u8]) -> io::Result<()> {
-        match self.encoding {
-            Encoding::Binary => self.out.write_all(bytes),
-            Encoding::Ascii => {
-                if self.line_started {
-                    self.out.write_all(b" ")?;
-                }
-                self.line_started = true;
-                self.out.write_fmt(text)
-            }
-        }
-    }
-
     fn int(&mut self, value: i32) -> io::Result<()> {
-        self.number(format_args!("{value}"), &value.to_le_bytes())
+        self.integer(value, &value.to_le_bytes())
     }
 
     fn size(&mut self, value: usize) -> io::Result<()> {
-        self.number(format_args!("{value}"), &(value as u64).to_le_bytes())
+        let value = value as u64;
+        self.integer(value, &value.to_le_bytes())
+    }
+
+    fn integer(&mut self, value: impl itoa::Integer, bytes: &[u8]) -> io::Result<()> {
+        if self.encoding == Encoding::Binary {
+            return self.out.write_all(bytes);
+        }
+        self.separate()?;
+        // Nearly all of a file are integers: with the formatter of the standard library it takes a third longer.
+        self.out
+            .write_all(itoa::Buffer::new().format(value).as_bytes())
     }
 
     /// The debug form is the shortest that reads back to the same double, with an exponent where it is long.
     fn real(&mut self, value: f64) -> io::Result<()> {
-        self.number(format_args!("{value:?}"), &value.to_le_bytes())
+        if self.encoding == Encoding::Binary {
+            return self.out.write_all(&value.to_le_bytes());
+        }
+        self.separate()?;
+        write!(self.out, "{value:?}")
+    }
+
+    /// A blank between the numbers of a line.
+    fn separate(&mut self) -> io::Result<()> {
+        if std::mem::replace(&mut self.line_started, true) {
+            self.out.write_all(b" ")?;
+        }
+        Ok(())
     }
 
     /// Ends a line of numbers, which binary does not have.

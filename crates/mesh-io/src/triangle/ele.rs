@@ -78,9 +78,11 @@ pub fn write_ele(out: &mut impl Write, mesh: &Mesh) -> Result<(), WriteError> {
         kind.corner_count()
     )?;
     for (index, cell) in mesh.cells.iter().enumerate() {
-        write!(out, "{}", index + 1)?;
+        let mut digits = itoa::Buffer::new();
+        out.write_all(digits.format(index + 1).as_bytes())?;
         for &corner in cell.corners() {
-            write!(out, " {}", u64::from(corner) + 1)?;
+            out.write_all(b" ")?;
+            out.write_all(digits.format(u64::from(corner) + 1).as_bytes())?;
         }
         if let Some(marker) = mesh
             .cell_markers
