@@ -34,6 +34,7 @@ impl Watch {
 
     /// Runs one stage of the work and notes how long it takes.
     pub(crate) fn stage<T>(&mut self, name: &str, work: impl FnOnce(&mut Self) -> T) -> T {
+        self.show(name, "{msg}");
         let start = Instant::now();
         let result = work(self);
         self.stages
@@ -43,9 +44,7 @@ impl Watch {
 
     /// Takes a progress report; never stops the work.
     pub(crate) fn report(&mut self, progress: Progress) -> ControlFlow<()> {
-        if self.visible && self.start.elapsed() > PATIENCE {
-            let bar = self.bar.get_or_insert_with(bar);
-            bar.set_message(progress.stage);
+        if let Some(bar) = self.show(progress.stage, "{msg:14} {bar:40} {percent:>3} % {eta:>4}") {
             bar.set_length(progress.total as u64);
             bar.set_position(progress.done as u64);
         }
@@ -61,12 +60,20 @@ impl Watch {
 
     /// Hears how many bytes are written; how many there will be is not known.
     pub(crate) fn written(&mut self, bytes: u64) {
-        if self.visible && self.start.elapsed() > PATIENCE {
-            let bar = self.bar.get_or_insert_with(bar);
-            bar.set_style(style("{msg:14} {decimal_bytes}"));
-            bar.set_message("write");
+        if let Some(bar) = self.show("write", "{msg:14} {decimal_bytes}") {
             bar.set_position(bytes);
         }
+    }
+
+    /// The bar, in this style, where there is one by now.
+    fn show(&mut self, stage: &str, template: &str) -> Option<&ProgressBar> {
+        if !self.visible || self.start.elapsed() < PATIENCE {
+            return None;
+        }
+        let bar = self.bar.get_or_insert_with(bar);
+        bar.set_style(style(template));
+        bar.set_message(stage.to_owned());
+        Some(bar)
     }
 
     /// Every stage so far with its seconds.
@@ -77,9 +84,7 @@ impl Watch {
 
 /// A bar that is gone when the watch is, however the work ends.
 fn bar() -> ProgressBar {
-    ProgressBar::new(0)
-        .with_style(style("{msg:14} {bar:40} {percent:>3} % {eta:>4}"))
-        .with_finish(ProgressFinish::AndClear)
+    ProgressBar::new(0).with_finish(ProgressFinish::AndClear)
 }
 
 fn style(template: &str) -> ProgressStyle {
