@@ -232,12 +232,20 @@ impl TetMesh {
     /// Gives each vertex the name in its slot and finds it a home, the tetrahedron with the smallest id;
     /// no home for vertices without a tetrahedron. There must be no vacant slots.
     pub(super) fn rename_vertices(&mut self, names: &[VertexId]) {
+        // Old names are near each other in a tetrahedron and its neighbours, new ones are anywhere: one
+        // scattered write for each vertex, not for each corner.
+        let mut homes = vec![TetId::NONE; names.len()];
+        for (index, tet) in self.tets.iter_mut().enumerate().rev() {
+            for v in tet.vertex {
+                homes[v.slot()] = TetId::new(index);
+            }
+            tet.vertex = tet.vertex.map(|v| names[v.slot()]);
+        }
         self.homes.clear();
         self.homes.resize(names.len(), TetId::NONE);
-        for (index, tet) in self.tets.iter_mut().enumerate().rev() {
-            tet.vertex = tet.vertex.map(|v| names[v.slot()]);
-            for v in tet.vertex {
-                self.homes[v.slot()] = TetId::new(index);
+        for (home, name) in homes.into_iter().zip(names) {
+            if home != TetId::NONE {
+                self.homes[name.slot()] = home;
             }
         }
     }

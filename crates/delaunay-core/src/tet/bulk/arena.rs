@@ -12,8 +12,8 @@
 //! others only across a facet with two real corners of its own. The outer side of such a facet has
 //! three corners that satisfy the rule for writing if the facet bounds a tetrahedron that it deletes.
 //!
-//! - Places of vertices are written before threads run. The mark of a vertex is read and written by the
-//!   owner of the vertex alone; that of the vertex at infinity is never written.
+//! - Places of vertices are written before threads run. What a mark notes about insertions is read and
+//!   written by the owner of the vertex alone; the vertex at infinity is never marked.
 //! - Slots without a tetrahedron are handed to one thread each.
 //!
 //! A slot whose tetrahedron has all real corners in one part stays so as long as the threads run: who
@@ -24,45 +24,77 @@ use crate::ids::{FacetId, TetId, VertexId};
 use crate::tet::mesh::Tet;
 use crate::tet::sight::Places;
 use glam::DVec3;
+use std::sync::atomic::AtomicU64;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// A vertex of the growing triangulation.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 #[repr(C, align(32))]
 pub(super) struct Site {
     pub(super) place: DVec3,
-    pub(super) mark: Mark,
+    /// A [`Mark`], as one word: what is written in parts cannot be read at once without a stall. Atomic,
+    /// for other threads read the part in it; relaxed, for the part does not change meanwhile.
+    mark: AtomicU64,
 }
 
-/// What the filling of a cavity notes about a vertex.
+/// What the filling of a cavity notes about a vertex, and the part to which the vertex belongs.
 #[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub(super) struct Mark {
+pub(super) struct Mark(u64);
+
+impl Mark {
     /// The insertion that met the vertex last.
-    pub(super) stamp: u32,
-    /// Its number in the link of that insertion.
-    pub(super) local: u16,
-    /// The part to which it belongs.
-    pub(super) part: u16,
+    #[inline(always)]
+    pub(super) fn stamp(self) -> u32 {
+        self.0 as u32
+    }
+
+    /// The number of the vertex in the link of that insertion.
+    #[inline(always)]
+    pub(super) fn local(self) -> u16 {
+        (self.0 >> 32) as u16
+    }
+
+    #[inline(always)]
+    pub(super) fn part(self) -> u16 {
+        (self.0 >> 48) as u16
+    }
+
+    /// The mark with another stamp and number.
+    #[inline(always)]
+    pub(super) fn noting(self, stamp: u32, local: u32) -> Self {
+        Self(self.0 >> 48 << 48 | u64::from(local) << 32 | u64::from(stamp))
+    }
 }
 
 impl Site {
     /// The vertex at infinity: number 0 in every link, whatever the insertion.
-    pub(super) const GHOST: Self = Self {
-        place: DVec3::NAN,
-        mark: Mark {
-            stamp: u32::MAX,
-            local: 0,
-            part: 0,
-        },
-    };
+    pub(super) fn ghost() -> Self {
+        Self {
+            place: DVec3::NAN,
+            mark: AtomicU64::new(u64::from(u32::MAX)),
+        }
+    }
 
     pub(super) fn at(place: DVec3) -> Self {
-        let mark = Mark {
-            stamp: 0,
-            local: 0,
-            part: 0,
-        };
-        Self { place, mark }
+        Self {
+            place,
+            mark: AtomicU64::new(0),
+        }
+    }
+
+    pub(super) fn part(&self) -> u16 {
+        Mark(self.mark.load(Relaxed)).part()
+    }
+
+    pub(super) fn set_part(&mut self, part: u16) {
+        let mark = self.mark.get_mut();
+        *mark = u64::from(part) << 48 | *mark << 16 >> 16;
+    }
+
+    /// Forgets all insertions.
+    pub(super) fn clear_stamp(&mut self) {
+        let mark = self.mark.get_mut();
+        *mark = *mark >> 32 << 32;
     }
 }
 
@@ -159,27 +191,22 @@ impl Arena {
     #[inline(always)]
     pub(super) fn mark(&self, v: VertexId) -> Mark {
         debug_assert!(v.slot() < self.site_count);
-        // SAFETY: below the count; the owner asks, or the vertex is the ghost, whose mark never changes.
-        unsafe { (&raw const (*self.sites.add(v.slot())).mark).read() }
+        // SAFETY: below the count; marks are atomic.
+        let mark = unsafe { &(*self.sites.add(v.slot())).mark };
+        Mark(mark.load(Relaxed))
     }
 
     #[inline(always)]
-    pub(super) fn set_mark(&self, v: VertexId, stamp: u32, local: u16) {
+    pub(super) fn set_mark(&self, v: VertexId, mark: Mark) {
         debug_assert!(!v.is_ghost() && v.slot() < self.site_count);
-        // SAFETY: below the count; the owner asks.
-        unsafe {
-            let mark = &raw mut (*self.sites.add(v.slot())).mark;
-            (&raw mut (*mark).stamp).write(stamp);
-            (&raw mut (*mark).local).write(local);
-        }
+        // SAFETY: below the count; marks are atomic.
+        unsafe { (*self.sites.add(v.slot())).mark.store(mark.0, Relaxed) }
     }
 
     /// The part of a vertex; that of the ghost says nothing.
     #[inline(always)]
     pub(super) fn part(&self, v: VertexId) -> u16 {
-        debug_assert!(v.slot() < self.site_count);
-        // SAFETY: below the count; parts are not written while the arena is shared.
-        unsafe { (&raw const (*self.sites.add(v.slot())).mark.part).read() }
+        self.mark(v).part()
     }
 
     /// Asks for a tetrahedron to be brought near.

@@ -19,7 +19,7 @@ use glam::DVec3;
 use std::ops::Range;
 
 /// Slots reserved per point: uniform points have 6.77 tetrahedra each.
-const SLOTS_PER_POINT: usize = 7;
+const SLOTS_PER_POINT: usize = 8;
 
 /// Slots that a part has for tetrahedra beyond what is to be expected.
 const SLACK: usize = 2048;
@@ -53,6 +53,7 @@ pub(in crate::tet) fn grow(
     let sites = sites_in_order(points, &order.indices, options);
     let simplex = first_simplex(sites.as_slice(), sites.len()).map_err(NotGrown::Flat)?;
     let mut growth = Growth::of_simplex(points, sites, simplex, options);
+
     for round in 0..order.rounds.len() {
         growth.insert_round(order, round, options.threads.get(), meter)?;
     }
@@ -62,7 +63,7 @@ pub(in crate::tet) fn grow(
 /// The points in insertion order behind the ghost; `-0.0` becomes `0.0`.
 fn sites_in_order(points: &[DVec3], order: &[u32], options: BuildOptions) -> Vec<Site> {
     let mut sites = vec_with_capacity(points.len() + 1, options.huge_pages);
-    sites.push(Site::GHOST);
+    sites.push(Site::ghost());
     let places = order.iter().map(|&index| points[index as usize]);
     sites.extend(places.map(|p| Site::at(p + DVec3::ZERO)));
     sites
@@ -144,13 +145,13 @@ impl Growth {
 
     /// The part to which `v`, a real vertex, was given.
     pub(super) fn part_of(&self, v: VertexId) -> u16 {
-        self.sites[v.slot()].mark.part
+        self.sites[v.slot()].part()
     }
 
     /// Gives the vertices of a range of slots to `part`.
     pub(super) fn set_part(&mut self, slots: Range<usize>, part: u16) {
         for site in &mut self.sites[slots] {
-            site.mark.part = part;
+            site.set_part(part);
         }
     }
 
@@ -261,7 +262,7 @@ impl Growth {
         self.stamp = 0;
         self.spheres.iter_mut().for_each(|sphere| sphere.stamp = 0);
         let real = self.sites.iter_mut().skip(1);
-        real.for_each(|site| site.mark.stamp = 0);
+        real.for_each(Site::clear_stamp);
     }
 
     /// Counts the slots up to `used` as in use.

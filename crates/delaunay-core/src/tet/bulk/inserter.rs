@@ -71,7 +71,7 @@ impl<const SHARED: bool> Inserter<SHARED> {
         if self.outer.len() > MAX_FACETS {
             self.fill_large(v, p);
         } else {
-            self.fill(v, p, next);
+            self.fill_best(v, p, next);
         }
         for &t in self.free.get(freed..).unwrap_or_default() {
             self.arena.put(t, Tet::VACANT, Circumsphere::UNKNOWN);
@@ -110,6 +110,17 @@ impl<const SHARED: bool> Inserter<SHARED> {
             t
         };
         (!is_vacant).then_some(real)
+    }
+
+    /// [`fill`](Self::fill), by the wide loops where the processor can.
+    #[inline(always)]
+    fn fill_best(&mut self, v: VertexId, p: DVec3, next: DVec3) {
+        #[cfg(target_arch = "x86_64")]
+        if self.is_wide {
+            // SAFETY: the processor was asked.
+            return unsafe { self.fill_wide(v, p, next) };
+        }
+        self.fill(v, p, next);
     }
 
     /// [`dig`](Self::dig), four neighbours at a time where the processor can.

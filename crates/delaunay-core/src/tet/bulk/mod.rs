@@ -8,7 +8,7 @@
 //! | records, and which thread may touch which | `arena.rs` |
 //! | one point: walk, dig, fill | `inserter.rs`, `walk.rs`, `dig.rs`, `star.rs`, `large.rs` |
 //! | branchless stacks | `pile.rs` |
-//! | the hottest loops four lanes wide, and doubled precision | `wide.rs`, `doubled.rs` |
+//! | the hottest loops four lanes wide, and doubled precision | `wide.rs`, `wide_star.rs`, `doubled.rs` |
 //! | all points, on one thread or several | `growth.rs`, `parts.rs` |
 
 #![allow(unsafe_code)]
@@ -27,5 +27,7 @@ mod star;
 mod walk;
 #[cfg(target_arch = "x86_64")]
 mod wide;
+#[cfg(target_arch = "x86_64")]
+mod wide_star;
 
 pub(super) use growth::{Grown, NotGrown, grow};

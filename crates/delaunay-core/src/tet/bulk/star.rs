@@ -25,10 +25,12 @@ pub(super) struct Star {
     /// The numbers of its corners in the link.
     pub(super) locals: [[u8; 4]; MAX_FACETS + 6],
     pub(super) spheres: [Circumsphere; MAX_FACETS + 6],
+    /// The vertices of the link; the ghost has number 0.
+    pub(super) link: [VertexId; LINK],
     /// The vertices of the link as seen from the new one.
     pub(super) arms: [Arm; LINK],
     /// By two numbers, the facet on the directed edge between them.
-    edges: [FacetId; LINK * LINK],
+    pub(super) edges: [FacetId; LINK * LINK],
 }
 
 impl Star {
@@ -37,6 +39,7 @@ impl Star {
             corners: [[VertexId::GHOST; 4]; MAX_FACETS + 6],
             locals: [[0; 4]; MAX_FACETS + 6],
             spheres: [Circumsphere::UNKNOWN; MAX_FACETS + 6],
+            link: [VertexId::GHOST; LINK],
             arms: [[f64::NAN; 4]; LINK],
             edges: [FacetId::from_raw(0); LINK * LINK],
         })
@@ -61,49 +64,45 @@ impl<const SHARED: bool> Inserter<SHARED> {
     pub(super) fn fill(&mut self, v: VertexId, p: DVec3, next: DVec3) {
         let count = self.outer.len();
         self.survey(v, p, count);
-        self.make_spheres_best(p, next, count);
+        self.make_spheres(p, next, count);
         self.store(count);
+        self.aim_at_real(count);
     }
 
     /// Notes corners, numbers and edges of all new tetrahedra, before their slots are overwritten.
     #[inline(always)]
     fn survey(&mut self, v: VertexId, p: DVec3, count: usize) {
-        let stamp = self.stamp;
         let mut met = 1;
         for i in 0..count {
             let inner = self.inner.at(i);
             let vertices = self.arena.tet(inner.tet()).vertex;
             let [a, b, c] = FACET_CORNERS[inner.corner()].map(|corner| vertices[corner]);
-            let [a_local, b_local, c_local] = [a, b, c].map(|w| {
-                let mark = self.arena.mark(w);
-                if mark.stamp >= stamp {
-                    return mark.local as u8;
-                }
-                let local = met;
-                met += 1;
-                self.arena.set_mark(w, stamp, local);
-                self.star.arms[local as usize % LINK] = arm(self.arena.place(w), p);
-                local as u8
-            });
-            let slot = self.dug.at(i);
+            let [a_local, b_local, c_local] = [a, b, c].map(|w| self.number(w, &mut met));
             self.star.corners[i] = [v, a, b, c];
             self.star.locals[i] = [a_local, b_local, c_local, 0];
-            let facets = slot.facets();
+            let facets = self.dug.at(i).facets();
             self.star.set_edge(a_local, b_local, facets[3]);
             self.star.set_edge(b_local, c_local, facets[1]);
             self.star.set_edge(c_local, a_local, facets[2]);
         }
+        for local in 1..usize::from(met).min(LINK) {
+            self.star.arms[local] = arm(self.arena.place(self.star.link[local]), p);
+        }
     }
 
-    /// [`make_spheres`](Self::make_spheres), four at a time where the processor can.
+    /// The number of `w` in the link: its own, or else the next, which is `met`.
     #[inline(always)]
-    fn make_spheres_best(&mut self, p: DVec3, next: DVec3, count: usize) {
-        #[cfg(target_arch = "x86_64")]
-        if self.is_wide {
-            // SAFETY: the processor was asked.
-            return unsafe { self.make_spheres_wide(p, next, count) };
+    fn number(&mut self, w: VertexId, met: &mut u16) -> u8 {
+        let mark = self.arena.mark(w);
+        if mark.stamp() >= self.stamp {
+            return mark.local() as u8;
         }
-        self.make_spheres(p, next, count);
+        let local = *met;
+        *met += 1;
+        self.star.link[usize::from(local) % LINK] = w;
+        self.arena
+            .set_mark(w, mark.noting(self.stamp, u32::from(local)));
+        local as u8
     }
 
     /// Makes the circumspheres of the star and aims at the one of least power with respect to `next`.
@@ -140,12 +139,11 @@ impl<const SHARED: bool> Inserter<SHARED> {
                 .put(slot, Tet { vertex, twin }, self.star.spheres[i]);
             self.arena.set_twin(outer, slot.facet(0));
         }
-        self.aim_at_real(count);
     }
 
     /// Starts the next walk in the tetrahedron aimed at, or in a real one if that is a ghost.
     #[inline(always)]
-    fn aim_at_real(&mut self, count: usize) {
+    pub(super) fn aim_at_real(&mut self, count: usize) {
         let is_real = |&i: &usize| !self.star.corners[i][3].is_ghost();
         let aim = Some(self.aim).filter(is_real);
         let aim = aim.or_else(|| (0..count).find(is_real)).unwrap_or(self.aim);

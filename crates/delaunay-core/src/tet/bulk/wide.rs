@@ -127,9 +127,10 @@ impl<const SHARED: bool> Inserter<SHARED> {
                 t
             };
             self.prefetch_neighbors(queued);
-            let twins = as_lanes(self.arena.tet(t).twin.map(FacetId::raw));
+            let twins = self.arena.tet(t).twin;
+            let across = twins.map(FacetId::tet);
+            let twins = as_lanes(twins.map(FacetId::raw));
             let tets = _mm_srli_epi32::<2>(twins);
-            let across = from_lanes(tets).map(TetId::from_raw);
             let spheres = self.load_spheres(across);
             let arm = minus(place, spheres.center);
             let radius2 = _mm256_cvtps_pd(spheres.radius2);
