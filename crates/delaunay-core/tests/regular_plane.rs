@@ -7,7 +7,7 @@ mod clouds;
 use clouds::{cloud, grid, hard_cases, rng, uniform};
 use delaunay_core::geo_predicates::coordinate::MIN_WEIGHT;
 use delaunay_core::geo_predicates::{Sign, WeightedPoint2, power_circle};
-use delaunay_core::{BuildError, Delaunay2, Extent, Regular2, RegularError, VertexId};
+use delaunay_core::{BuildError, Delaunay2, Extent, Regular2, RegularError, TriMesh, VertexId};
 use glam::DVec2;
 use proptest::prelude::*;
 use rand::RngExt;
@@ -83,7 +83,7 @@ fn equal_weights_give_the_delaunay_triangulation_bit_for_bit() {
         assert_eq!(regular.check(), Ok(()), "{name}");
         assert!(regular.hidden().is_empty(), "{name}");
         assert_eq!(regular.duplicates(), delaunay.duplicates(), "{name}");
-        let [ours, theirs] = [regular.mesh(), delaunay.mesh()].map(|mesh| mesh.canonical());
+        let [ours, theirs] = [regular.mesh(), delaunay.mesh()].map(TriMesh::canonical);
         assert!(ours == theirs, "{name}");
     }
 }
