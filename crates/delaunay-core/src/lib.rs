@@ -21,8 +21,27 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! - [`Delaunay2`] is the triangulation, [`TriMesh`] its connectivity; data about elements live in a
-//!   `Vec` beside the mesh, indexed by [`VertexId::index`], [`FaceId::index`] or [`HalfEdgeId::index`].
+//! The same in space, with tetrahedra and facets:
+//!
+//! ```
+//! use delaunay_core::{BuildOptions, Delaunay3, VertexId, progress::silent};
+//! use glam::DVec3;
+//!
+//! // An octahedron and its center, on two threads.
+//! let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+//! let mut points: Vec<DVec3> = axes.into_iter().flat_map(|axis| [axis, -axis]).collect();
+//! points.push(DVec3::ZERO);
+//! let mut delaunay = Delaunay3::build_on(&points, BuildOptions::on_threads(2), &mut silent)?;
+//! assert_eq!((delaunay.tets().count(), delaunay.hull().count()), (8, 8));
+//! assert_eq!(delaunay.mesh().star(VertexId::new(6)).count(), 8);
+//! let v = delaunay.insert(DVec3::splat(0.125))?.vertex();
+//! delaunay.remove(v)?;
+//! assert_eq!(delaunay.check(), Ok(()));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! - [`Delaunay2`] and [`Delaunay3`] are the triangulations, [`TriMesh`] and [`TetMesh`] their connectivity;
+//!   data about elements live in a `Vec` beside the mesh, indexed by the `index()` of their ids.
 //! - Signs, ids, ghosts and the accepted coordinates are as in `docs/conventions.md`. All decisions about
 //!   topology are made by the exact predicates of [`geo_predicates`], re-exported here.
 //! - [`measure`] judges elements and sums up a mesh: angles, r/l, radius ratios, scaled Jacobian, statistics.
