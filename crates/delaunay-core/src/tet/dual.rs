@@ -3,6 +3,10 @@
 //! Cells are carved out of a window by the bisectors between a vertex and its Delaunay neighbours. No Voronoi
 //! vertex is needed for that, so slivers and flat tetrahedra on the hull, whose centers are far away,
 //! do no harm.
+//!
+//! A cell of uniform points takes 5.6 µs among 10,000 and 8.6 µs among 100,000, with its moments 6.2 and 9.3 µs
+//! (one thread of a shared machine, vertices in random order, clipped to a cube; `benches/voronoi3.rs`). Beyond
+//! a few MB of tetrahedra the growth is waiting for memory.
 
 use super::carve::CellCarver;
 use super::delaunay::Delaunay3;
