@@ -1,6 +1,7 @@
 //! What lies around a vertex or an edge: star, link, neighbours, ring.
 
 use super::mesh::TetMesh;
+use super::table::Table;
 use crate::ids::{FacetId, TetId, VertexId};
 use rustc_hash::FxHashSet;
 
@@ -11,12 +12,17 @@ impl TetMesh {
     /// Takes time and memory proportional to what is drawn from it.
     #[must_use]
     pub fn star(&self, v: VertexId) -> Star<'_> {
-        let home = self.home(v);
+        let mut seen = Table::default();
+        seen.clear();
+        let pending: Vec<TetId> = self.home(v).into_iter().collect();
+        for t in &pending {
+            seen.insert(t.index() as u64, ());
+        }
         Star {
             mesh: self,
             vertex: v,
-            seen: home.into_iter().collect(),
-            pending: home.into_iter().collect(),
+            seen,
+            pending,
         }
     }
 
@@ -95,7 +101,7 @@ fn leading_corner(i: usize, j: usize) -> usize {
 pub struct Star<'a> {
     mesh: &'a TetMesh,
     vertex: VertexId,
-    seen: FxHashSet<TetId>,
+    seen: Table<()>,
     pending: Vec<TetId>,
 }
 
@@ -106,7 +112,9 @@ impl Iterator for Star<'_> {
         let t = self.pending.pop()?;
         for f in t.facets() {
             let across = self.mesh.twin(f).tet();
-            if self.mesh.apex(f) != self.vertex && self.seen.insert(across) {
+            let key = across.index() as u64;
+            if self.mesh.apex(f) != self.vertex && self.seen.get(key).is_none() {
+                self.seen.insert(key, ());
                 self.pending.push(across);
             }
         }

@@ -7,10 +7,11 @@ use super::delaunay::Delaunay3;
 use super::locate::Location3;
 use super::mesh::TetMesh;
 use super::sight::Sight3;
+use super::table::Table;
 use crate::ids::{FacetId, TetId, VertexId};
 use geo_predicates::CoordinateError;
 use glam::DVec3;
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashSet;
 
 /// The tetrahedra whose open circumball contains a point, and the facets that bound them.
 #[derive(Clone, Debug, Default)]
@@ -18,9 +19,9 @@ pub struct Cavity3 {
     pub(super) tets: Vec<TetId>,
     pub(super) boundary: Vec<FacetId>,
     /// What was found out about each tetrahedron met.
-    tested: FxHashMap<TetId, bool>,
-    /// Directed edges of the boundary, see [`super::star`].
-    pub(super) edges: FxHashMap<(VertexId, VertexId), FacetId>,
+    tested: Table<bool>,
+    /// The new facets on the directed edges of the boundary, see [`super::star`].
+    pub(super) edges: Table<u32>,
 }
 
 impl Cavity3 {
@@ -58,17 +59,17 @@ impl Cavity3 {
         self.boundary.clear();
         self.tested.clear();
         self.tets.push(seed);
-        self.tested.insert(seed, true);
+        self.tested.insert(key(seed), true);
         let mut next = 0;
         while let Some(&t) = self.tets.get(next) {
             next += 1;
             for facet in t.facets() {
                 let outer = mesh.twin(facet);
                 let across = outer.tet();
-                let known = self.tested.get(&across).copied();
+                let known = self.tested.get(key(across));
                 let inside = known.unwrap_or_else(|| {
                     let inside = conflicts(across);
-                    self.tested.insert(across, inside);
+                    self.tested.insert(key(across), inside);
                     if inside {
                         self.tets.push(across);
                     }
@@ -80,6 +81,10 @@ impl Cavity3 {
             }
         }
     }
+}
+
+fn key(t: TetId) -> u64 {
+    t.index() as u64
 }
 
 impl Delaunay3 {

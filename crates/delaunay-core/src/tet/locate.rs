@@ -7,7 +7,8 @@
 //! circumspheres falls at every step, because the triangulation is Delaunay, so no tetrahedron comes
 //! twice.
 //!
-//! Without a hint the walk starts from the nearest of about the fourth root of n sampled vertices.
+//! Without a hint the walk starts from the nearest of about four times the cube root of n sampled vertices: at
+//! 10^6 vertices that was measured twice as fast as the fourth root, whose sample is too small.
 
 use super::delaunay::Delaunay3;
 use super::mesh::{FACET_CORNERS, TetMesh};
@@ -51,7 +52,7 @@ impl Location3 {
 impl Delaunay3 {
     /// Where `p` is.
     ///
-    /// Expected time n^(1/4) on evenly spread vertices, at most the number of tetrahedra.
+    /// Expected time n^(1/3) on evenly spread vertices, at most the number of tetrahedra.
     ///
     /// # Errors
     /// [`CoordinateError`] when a coordinate of `p` is not accepted.
@@ -84,7 +85,7 @@ impl Delaunay3 {
 
     /// The home of the nearest to `p` of some evenly sampled vertices.
     fn sampled_start(&self, p: DVec3) -> Option<TetId> {
-        let samples = 2.0 * (self.coords.len() as f64).sqrt().sqrt();
+        let samples = 4.0 * (self.coords.len() as f64).cbrt();
         let stride = self.coords.len() / samples as usize;
         let sample = (1..self.coords.len()).step_by(stride.max(1));
         let nearest = sample

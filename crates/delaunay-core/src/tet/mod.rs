@@ -45,6 +45,7 @@ mod rim;
 mod sight;
 mod simplex;
 mod star;
+mod table;
 
 pub use around::{Ring, Star};
 pub use carve::CellCarver;

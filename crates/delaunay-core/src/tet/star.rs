@@ -7,10 +7,15 @@
 
 use super::cavity::Cavity3;
 use super::mesh::TetMesh;
-use crate::ids::{TetId, VertexId};
+use crate::ids::{FacetId, TetId, VertexId};
 
 /// Corners 1, 2, 3 of a new tetrahedron: the edge from `corner` to `corner + 1` is across which facet.
 pub(super) const ACROSS: [(usize, usize, usize); 3] = [(1, 2, 3), (2, 3, 1), (3, 1, 2)];
+
+/// The key of a directed edge.
+fn edge(from: VertexId, to: VertexId) -> u64 {
+    (from.slot() as u64) << 32 | to.slot() as u64
+}
 
 impl TetMesh {
     /// Replaces the tetrahedra of `cavity` by those between `v` and its boundary.
@@ -36,16 +41,17 @@ impl TetMesh {
         cavity.edges.clear();
         for (&t, new) in cavity.tets.iter().zip(&corners) {
             for (from, to, facet) in ACROSS {
-                cavity.edges.insert((new[from], new[to]), t.facet(facet));
+                let facet = t.facet(facet).raw();
+                cavity.edges.insert(edge(new[from], new[to]), facet);
             }
         }
         for ((&t, new), &outer) in cavity.tets.iter().zip(&corners).zip(&cavity.boundary) {
             let mut twins = t.facets();
             twins[0] = outer;
             for (from, to, facet) in ACROSS {
-                let partner = cavity.edges.get(&(new[to], new[from]));
+                let partner = cavity.edges.get(edge(new[to], new[from]));
                 debug_assert!(partner.is_some(), "the boundary of a cavity is closed");
-                twins[facet] = partner.copied().unwrap_or(t.facet(facet));
+                twins[facet] = partner.map_or(t.facet(facet), FacetId::from_raw);
             }
             self.put(t, *new, twins);
             self.set_twin(outer, t.facet(0));
