@@ -14,6 +14,7 @@ use crate::error::BuildError;
 use crate::options::BuildOptions;
 use crate::order::Order;
 use crate::progress::{Meter, Progress, silent};
+use crate::threads;
 use geo_predicates::check_points2;
 use geo_predicates::filter::Filter2;
 use glam::DVec2;
@@ -83,13 +84,14 @@ impl Delaunay2 {
         }
         check_points2(points)?;
         let mut meter = Meter::start(report, "triangulate", points.len())?;
-        let mut order = Order::of(points, options.threads.get());
-        let mut coords = in_order(points, &order.indices);
+        let threads = options.threads.get();
+        let mut order = Order::of(points, threads);
+        let mut coords = in_order(points, &order.indices, threads);
         if !bring_triangle_to_front(&mut coords, &mut order.indices) {
             return Err(BuildError::Flat(Box::new(Flat::sorted(points))));
         }
         let bulk = Bulk::of(&coords, &order, options, LEAST_SHARE, &mut meter)?;
-        let Finish { mesh, duplicates } = bulk.finish(&order.indices);
+        let Finish { mesh, duplicates } = bulk.finish(&order.indices, threads);
         for (place, &p) in coords[1..].iter_mut().zip(points) {
             *place = p + DVec2::ZERO;
         }
@@ -105,13 +107,14 @@ impl Delaunay2 {
 }
 
 /// The points in insertion order behind the ghost; `-0.0` becomes `0.0`.
-fn in_order(points: &[DVec2], order: &[u32]) -> Vec<DVec2> {
-    let mut coords = Vec::with_capacity(points.len() + 1);
-    coords.push(DVec2::NAN);
-    coords.extend(
-        order
-            .iter()
-            .map(|&index| points[index as usize] + DVec2::ZERO),
-    );
+fn in_order(points: &[DVec2], order: &[u32], threads: usize) -> Vec<DVec2> {
+    let mut coords = vec![DVec2::NAN; points.len() + 1];
+    let share = threads::share(points.len(), threads);
+    let shares = coords[1..].chunks_mut(share).zip(order.chunks(share));
+    threads::for_each(shares.collect(), |(coords, order)| {
+        for (place, &index) in coords.iter_mut().zip(order) {
+            *place = points[index as usize] + DVec2::ZERO;
+        }
+    });
     coords
 }

@@ -5,6 +5,7 @@
 use super::cavity::Cavity;
 use super::duplicates::Duplicates;
 use super::mesh::TriMesh;
+use super::sight::Sight;
 use crate::ids::{FaceId, VertexId};
 use geo_predicates::filter::Filter2;
 use glam::DVec2;
@@ -118,6 +119,13 @@ impl Delaunay2 {
     #[must_use]
     pub fn duplicates(&self) -> &Duplicates {
         &self.duplicates
+    }
+
+    /// What `p` sees. It may be any accepted point, unless the filter is special: then one of those
+    /// that the filter was made for.
+    #[inline(always)]
+    pub(super) fn sight(&self, p: DVec2) -> Sight<'_> {
+        Sight::new(&self.coords, self.filter, p)
     }
 
     /// Coordinates of any vertex, not numbers for the ghost.

@@ -74,7 +74,7 @@ impl Delaunay2 {
         };
         let v = self.name_vertex(p)?;
         let mut cavity = std::mem::take(&mut self.cavity);
-        self.dig(p, seed, p, &mut cavity);
+        self.dig(p, seed, &mut cavity);
         self.mesh.fill(&mut cavity, v);
         self.mesh.point_at_star(cavity.faces());
         self.cavity = cavity;

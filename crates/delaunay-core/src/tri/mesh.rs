@@ -181,8 +181,14 @@ impl TriMesh {
     }
 
     /// Makes `h` the half-edge that [`outgoing`](TriMesh::outgoing) gives for its origin.
+    ///
+    /// Vertices are numbered without great gaps: one whose number is far beyond the corners of all faces gets no
+    /// half-edge, so that a wild id asks for no memory; [`check`](TriMesh::check) names it.
     pub fn set_outgoing(&mut self, h: HalfEdgeId) {
         let slot = self.origin(h).slot();
+        if slot > self.outgoing.len() + 3 * self.faces.len() {
+            return;
+        }
         if slot >= self.outgoing.len() {
             self.outgoing.resize(slot + 1, HalfEdgeId::NONE);
         }
@@ -259,6 +265,24 @@ mod tests {
                 .half_edges()
                 .iter()
                 .all(|&h| mesh.twin(h).face() == first)
+        );
+    }
+
+    #[test]
+    fn a_wild_vertex_asks_for_no_memory_and_is_named() {
+        let wild = VertexId::new(VertexId::LIMIT - 1);
+        let mut mesh = TriMesh::default();
+        let front = mesh.push_face([VertexId::new(0), VertexId::new(1), wild]);
+        let back = mesh.push_face([VertexId::new(0), wild, VertexId::new(1)]);
+        for (i, j) in [(0, 2), (1, 1), (2, 0)] {
+            mesh.glue(front.half_edge(i), back.half_edge(j));
+        }
+        mesh.half_edges().for_each(|h| mesh.set_outgoing(h));
+        assert!(mesh.outgoing.len() < 100);
+        let vertex = wild;
+        assert_eq!(
+            mesh.check(),
+            Err(super::super::check::Violation::Outgoing { vertex })
         );
     }
 

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | connectivity, surgery | `mesh.rs`, `around.rs`, `canonical.rs` |
 //! | the triangulation and read access | `delaunay.rs`, `duplicates.rs`, `flat.rs` |
-//! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs` |
+//! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `dig.rs`, `sight.rs`, `star.rs` |
 //! | all points | `build.rs`, `bulk/` |
 //! | one point less | `remove.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
@@ -21,6 +21,7 @@ mod cavity;
 mod check;
 mod convex;
 mod delaunay;
+mod dig;
 mod dual;
 mod duplicates;
 mod flat;

@@ -42,7 +42,7 @@ impl Delaunay2 {
             Err(vertex) => return vertex,
         };
         let mut cavity = Cavity::default();
-        self.dig(p, seed, p, &mut cavity);
+        self.dig(p, seed, &mut cavity);
         let distance = |v: VertexId| self.point_of(v).distance_squared(p);
         let real = cavity.vertices().filter(|v| !v.is_ghost());
         let nearest = real.min_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(a.cmp(&b)));

@@ -5,7 +5,6 @@
 //! exact way, out of line. The ghost is seen as a vector that is not a number: the filter never
 //! decides for it, so only the slow path needs to know about ghosts.
 
-use super::delaunay::Delaunay2;
 use crate::ids::VertexId;
 use geo_predicates::filter::{Cross, Filter2, Relative2};
 use geo_predicates::{Lexicographic2, Sign, cocircular_inside, in_circle_perturbed, orient2d};
@@ -24,15 +23,6 @@ pub(super) struct Sight<'a> {
 pub(super) struct Seen {
     pub(super) vertex: VertexId,
     pub(super) arm: Relative2,
-}
-
-impl Delaunay2 {
-    /// What `p` sees. It may be any accepted point, unless the filter is special: then one of those
-    /// that the filter was made for.
-    #[inline(always)]
-    pub(super) fn sight(&self, p: DVec2) -> Sight<'_> {
-        Sight::new(&self.coords, self.filter, p)
-    }
 }
 
 impl<'a> Sight<'a> {

@@ -4,6 +4,7 @@ use super::super::mesh::{Face, TriMesh};
 use super::fill::faces_of;
 use super::rounds::Bulk;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::threads;
 
 /// A mesh over the caller's points.
 pub(in super::super) struct Finish {
@@ -15,7 +16,7 @@ pub(in super::super) struct Finish {
 impl Bulk {
     /// Passes from vertex slots in insertion order to the caller's numbers, given in that order; of equal
     /// points the smallest number stands for all.
-    pub(in super::super) fn finish(mut self, order: &[u32]) -> Finish {
+    pub(in super::super) fn finish(mut self, order: &[u32], threads: usize) -> Finish {
         self.close_gaps();
         let mut names: Vec<Name> = Vec::with_capacity(order.len() + 1);
         names.push(Name::new(VertexId::GHOST));
@@ -25,7 +26,10 @@ impl Bulk {
                 .map(|&index| Name::new(VertexId::new(index as usize))),
         );
         self.name_duplicates(&mut names);
-        let outgoing = name_corners(&mut self.faces, names);
+        let outgoing = match threads {
+            1 => name_corners(&mut self.faces, names),
+            _ => name_corners_together(&mut self.faces, &names, threads),
+        };
         Finish {
             mesh: TriMesh {
                 faces: self.faces,
@@ -92,7 +96,6 @@ impl Name {
 
 /// Gives each corner the name in its slot; answers the half-edge with the smallest id that leaves each vertex, by
 /// its new slot.
-#[inline(never)]
 fn name_corners(faces: &mut [Face], mut names: Vec<Name>) -> Vec<HalfEdgeId> {
     for (index, face) in faces.iter_mut().enumerate().rev() {
         let f = FaceId::new(index);
@@ -105,6 +108,33 @@ fn name_corners(faces: &mut [Face], mut names: Vec<Name>) -> Vec<HalfEdgeId> {
     let mut outgoing = vec![HalfEdgeId::NONE; names.len()];
     for name in names {
         outgoing[name.vertex.slot()] = name.outgoing;
+    }
+    outgoing
+}
+
+/// As [`name_corners`], on several threads, each of which looks at a share of the faces.
+///
+/// Each has a list of half-edges of its own for all vertices, so there are at most four.
+fn name_corners_together(faces: &mut [Face], names: &[Name], threads: usize) -> Vec<HalfEdgeId> {
+    let share = threads::share(faces.len(), threads.min(4));
+    let shares = faces.chunks_mut(share).enumerate().collect();
+    let lists = threads::map(shares, |(number, faces)| {
+        let mut first = vec![HalfEdgeId::NONE; names.len()];
+        for (index, face) in faces.iter_mut().enumerate().rev() {
+            let f = FaceId::new(number * share + index);
+            for corner in (0..3).rev() {
+                let slot = face.origin[corner].slot();
+                first[slot] = f.half_edge(corner);
+                face.origin[corner] = names[slot].vertex;
+            }
+        }
+        first
+    });
+    let mut outgoing = vec![HalfEdgeId::NONE; names.len()];
+    for (slot, name) in names.iter().enumerate() {
+        let mut found = lists.iter().map(|first| first[slot]);
+        let found = found.find(|&h| h != HalfEdgeId::NONE);
+        outgoing[name.vertex.slot()] = found.unwrap_or(HalfEdgeId::NONE);
     }
     outgoing
 }

@@ -218,7 +218,7 @@ mod tests {
         let mut meter = Meter::start(&mut quiet, "test", points.len()).unwrap();
         let options = BuildOptions::on_threads(threads);
         let bulk = Bulk::of(&coords, &order, options, 1, &mut meter).unwrap();
-        bulk.finish(&order.indices)
+        bulk.finish(&order.indices, threads)
     }
 
     /// With a share of one point, all rounds but the first are cut into parts.

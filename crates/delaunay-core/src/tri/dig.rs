@@ -1,0 +1,75 @@
+//! Digging the cavity of a point, see [`Cavity`].
+
+use super::cavity::{Cavity, PendingEdge, RimEdge};
+use super::delaunay::Delaunay2;
+use super::sight::{Seen, Sight};
+use crate::ids::{FaceId, HalfEdgeId};
+use geo_predicates::CoordinateError;
+use glam::DVec2;
+
+impl Delaunay2 {
+    /// The cavity of `p`: all faces whose open circumdisk contains it, ties broken as in the whole
+    /// triangulation; empty when `p` is a vertex.
+    ///
+    /// # Errors
+    /// [`CoordinateError`] when a coordinate of `p` is not accepted.
+    pub fn cavity(&self, p: DVec2) -> Result<Cavity, CoordinateError> {
+        let mut cavity = Cavity::default();
+        if let Ok(seed) = self.seed(self.locate(p)?) {
+            self.dig(p, seed, &mut cavity);
+        }
+        Ok(cavity)
+    }
+
+    /// Fills `cavity` with the cavity of `p`, from a face `seed` known to be in it.
+    pub(super) fn dig(&self, p: DVec2, seed: FaceId, cavity: &mut Cavity) {
+        let sight = self.sight(p);
+        let (mut start, mut edge) = self.open(&sight, seed, cavity);
+        loop {
+            let (left, right) = (edge.outer.prev(), edge.outer.next());
+            let face = &self.mesh.faces[edge.outer.face().index()];
+            let apex = sight.see(face.origin[left.corner()]);
+            if sight.in_conflict([&edge.end, &start, &apex], edge.backwards) {
+                cavity.faces.push(edge.outer.face());
+                cavity.pending.push(PendingEdge {
+                    end: edge.end,
+                    outer: face.twin[left.corner()],
+                    backwards: edge.end.arm.cross(&apex.arm),
+                });
+                edge = PendingEdge {
+                    end: apex,
+                    outer: face.twin[right.corner()],
+                    backwards: apex.arm.cross(&start.arm),
+                };
+            } else {
+                cavity.rim.push(RimEdge {
+                    origin: start.vertex,
+                    outer: edge.outer,
+                });
+                start = edge.end;
+                match cavity.pending.pop() {
+                    Some(below) => edge = below,
+                    None => return,
+                }
+            }
+        }
+    }
+
+    /// Starts `cavity` with the face `seed` and its three edges; gives the start of the first edge and
+    /// that edge, the others wait.
+    #[inline(always)]
+    fn open(&self, sight: &Sight<'_>, seed: FaceId, cavity: &mut Cavity) -> (Seen, PendingEdge) {
+        cavity.clear();
+        cavity.faces.push(seed);
+        let face = &self.mesh.faces[seed.index()];
+        let [a, b, c] = face.origin.map(|v| sight.see(v));
+        let edge = |start: &Seen, end: Seen, outer: HalfEdgeId| PendingEdge {
+            end,
+            outer,
+            backwards: end.arm.cross(&start.arm),
+        };
+        cavity.pending.push(edge(&c, a, face.twin[2]));
+        cavity.pending.push(edge(&b, c, face.twin[1]));
+        (a, edge(&a, b, face.twin[0]))
+    }
+}
