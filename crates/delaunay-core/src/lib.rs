@@ -52,6 +52,7 @@ pub mod order;
 pub mod progress;
 
 mod error;
+mod guide;
 mod heaviest;
 mod hilbert;
 mod ids;

@@ -11,7 +11,7 @@
 use std::mem::MaybeUninit;
 
 /// Smallest array worth large pages, in bytes: below, a part of a page is lost and little is gained.
-const LARGE: usize = 8 << 20;
+const LARGE: usize = 4 << 20;
 
 /// Size of a large page.
 const PAGE: usize = 2 << 20;
@@ -22,6 +22,13 @@ pub(crate) fn vec_with_capacity<T>(count: usize, huge_pages: bool) -> Vec<T> {
     if huge_pages {
         prefer_huge_pages(vec.spare_capacity_mut());
     }
+    vec
+}
+
+/// `count` times `value`, in large pages if `huge_pages` says so and they are large.
+pub(crate) fn vec_of<T: Clone>(value: T, count: usize, huge_pages: bool) -> Vec<T> {
+    let mut vec = vec_with_capacity(count, huge_pages);
+    vec.resize(count, value);
     vec
 }
 

@@ -24,8 +24,11 @@ mod key;
 mod radix;
 mod spatial;
 
+pub(crate) use key::scramble;
 pub use spatial::Spatial;
 
+use crate::memory::vec_of;
+use crate::options::BuildOptions;
 use crate::threads;
 use crowd::order_crowds;
 use grid::Grid;
@@ -52,7 +55,7 @@ use std::ops::Range;
 /// ```
 #[must_use]
 pub fn insertion_order<P: Spatial>(points: &[P]) -> Vec<u32> {
-    Order::of(points, 1).indices
+    Order::of(points, BuildOptions::default()).indices
 }
 
 /// An insertion order and its structure.
@@ -66,25 +69,32 @@ pub(crate) struct Order {
     pub(crate) stretches: Vec<[u32; Self::STRETCHES]>,
 }
 
+/// Points whose places on the curve are found at the same time.
+const LANES: usize = 8;
+
 impl Order {
     /// The curve is cut into this many stretches, at the same places in all rounds, so that each holds
     /// an equal share of the last round (except where many points are in one cell of the grid).
     pub(crate) const STRETCHES: usize = 256;
 
-    /// The order of `points`, found on `threads` threads; it is the same for any number.
+    /// The order of `points`; it is the same for all options.
     ///
     /// # Panics
     /// When there are 2^32 points or more.
-    pub(crate) fn of<P: Spatial>(points: &[P], threads: usize) -> Self {
+    pub(crate) fn of<P: Spatial>(points: &[P], options: BuildOptions) -> Self {
         assert!(
             u32::try_from(points.len()).is_ok(),
             "more points than 32 bits can number"
         );
         let layout = KeyLayout::new::<P>(points.len());
-        let mut keys = keys(points, layout, threads);
+        let threads = options.threads.get();
+        let mut keys = vec_of(0, points.len(), options.huge_pages);
+        fill_keys(&mut keys, points, layout, threads);
         let width = layout.width();
         let leading = width - layout.leading_bits(points.len());
-        sort_by_bits(&mut keys, leading..width, threads);
+        let mut spare = vec_of(0, points.len(), options.huge_pages);
+        sort_by_bits(&mut keys, &mut spare, leading..width, threads);
+        drop(spare);
         finish_runs(&mut keys, leading, threads);
         let rounds = rounds(&keys, layout);
         let stretches = stretches(&keys, &rounds, layout);
@@ -118,18 +128,24 @@ impl Order {
     }
 }
 
-fn keys<P: Spatial>(points: &[P], layout: KeyLayout, threads: usize) -> Vec<u64> {
+fn fill_keys<P: Spatial>(keys: &mut [u64], points: &[P], layout: KeyLayout, threads: usize) {
     let grid = Grid::around_all(points, layout.grid_bits, threads);
-    let mut keys = vec![0; points.len()];
     let share = threads::share(points.len(), threads);
     let shares = points.chunks(share).zip(keys.chunks_mut(share)).enumerate();
     threads::for_each(shares.collect(), |(number, (points, keys))| {
-        let indices = number * share..;
-        for ((index, p), key) in indices.zip(points).zip(keys) {
-            *key = layout.key(index, p.place(&grid));
+        let (rows, rest) = points.as_chunks::<LANES>();
+        let (key_rows, last_keys) = keys.as_chunks_mut::<LANES>();
+        let indices = (number * share..).step_by(LANES);
+        for ((index, row), keys) in indices.zip(rows).zip(key_rows) {
+            let places = P::places(row, &grid);
+            *keys = std::array::from_fn(|lane| layout.key(index + lane, places[lane]));
+        }
+        let indices = number * share + rows.len() * LANES..;
+        for ((index, &p), key) in indices.zip(rest).zip(last_keys) {
+            let [place] = P::places(&[p], &grid);
+            *key = layout.key(index, place);
         }
     });
-    keys
 }
 
 /// Sorts keys that are sorted but for their lowest `low` bits.
@@ -273,7 +289,7 @@ mod tests {
     #[test]
     fn points_of_space_come_once_each_in_short_steps() {
         let points = in_space(30_000);
-        let order = Order::of(&points, 1);
+        let order = Order::of(&points, BuildOptions::default());
         assert_permutation(&order.indices);
         let last = order.rounds.last().unwrap().clone();
         let steps = order.indices[last].windows(2).map(|w| {
@@ -291,9 +307,13 @@ mod tests {
         points.extend(cluster);
         points.extend(vec![DVec2::ONE; 3000]);
         let space = in_space(20_000);
-        let expected = (Order::of(&points, 1), Order::of(&space, 1));
+        let expected = (
+            Order::of(&points, BuildOptions::default()),
+            Order::of(&space, BuildOptions::default()),
+        );
         for threads in [2, 3, 8, 16] {
-            let found = (Order::of(&points, threads), Order::of(&space, threads));
+            let options = BuildOptions::on_threads(threads);
+            let found = (Order::of(&points, options), Order::of(&space, options));
             assert_eq!(found, expected, "{threads}");
         }
     }
@@ -301,7 +321,7 @@ mod tests {
     #[test]
     fn rounds_follow_each_other_and_stretches_cut_them_at_the_same_places() {
         let points = spiral(100_000);
-        let order = Order::of(&points, 1);
+        let order = Order::of(&points, BuildOptions::default());
         assert_eq!(order.rounds.len(), 3);
         let ends: Vec<usize> = order.rounds.iter().map(|round| round.end).collect();
         assert_eq!((order.rounds[0].start, ends[2]), (0, 100_000));

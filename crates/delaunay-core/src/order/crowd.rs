@@ -22,7 +22,8 @@ pub(super) fn order_crowds<P: OnCurve>(points: &[P], keys: &mut [u64], layout: K
         }
         for key in crowd.iter_mut() {
             let index = layout.index(*key);
-            *key = points[index].place(&grid) << layout.index_bits | index as u64;
+            let [place] = P::places(&[points[index]], &grid);
+            *key = place << layout.index_bits | index as u64;
         }
         crowd.sort_unstable();
         order_crowds(points, crowd, layout);

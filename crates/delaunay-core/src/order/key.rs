@@ -7,9 +7,6 @@ use super::spatial::OnCurve;
 /// Eight was measured best among 2, 4, 8, 16 and 32, all within 4 % from 8 on.
 const ROUND_RATIO_LOG: u32 = 3;
 
-/// Finest grid for the curve, bits per axis.
-const MAX_GRID_BITS: u32 = 20;
-
 /// Where round, place and index sit in a key, from the highest bits to the lowest; the round starts at bit 63.
 #[derive(Clone, Copy)]
 pub(super) struct KeyLayout {
@@ -27,7 +24,8 @@ impl KeyLayout {
         let round_bits = u32::BITS - last_round.leading_zeros();
         let index_bits = (usize::BITS - count.leading_zeros()).max(1);
         let room = (u64::BITS - round_bits - index_bits) / P::AXES;
-        let grid_bits = room.min(MAX_GRID_BITS) / P::LEVELS * P::LEVELS;
+        let (finest, step) = P::GRID_BITS;
+        let grid_bits = room.min(finest) / step * step;
         Self {
             index_bits,
             grid_bits,
@@ -84,14 +82,14 @@ impl KeyLayout {
     /// eight of the others in the last but one, and so on.
     #[inline(always)]
     pub(super) fn round_of(self, index: u64) -> u32 {
-        let before_last = hash(index).leading_zeros() / ROUND_RATIO_LOG;
+        let before_last = scramble(index).leading_zeros() / ROUND_RATIO_LOG;
         self.last_round - before_last.min(self.last_round)
     }
 }
 
-/// A fixed scrambling of the index (the finalizer of `SplitMix64`): the seed of the random order.
+/// A fixed scrambling of an index (the finalizer of `SplitMix64`): the seed of the random order.
 #[inline(always)]
-fn hash(index: u64) -> u64 {
+pub(crate) fn scramble(index: u64) -> u64 {
     let mut z = index.wrapping_add(0x9E37_79B9_7F4A_7C15);
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);

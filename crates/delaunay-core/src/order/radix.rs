@@ -12,16 +12,22 @@ use std::ops::Range;
 const DIGIT_BITS: u32 = 9;
 
 /// Sorts `keys` by the bits in `bits`, on `threads` threads.
-pub(super) fn sort_by_bits(keys: &mut Vec<u64>, bits: Range<u32>, threads: usize) {
+///
+/// `spare` is as long as `keys` and keeps nothing of value.
+pub(super) fn sort_by_bits(
+    keys: &mut Vec<u64>,
+    spare: &mut Vec<u64>,
+    bits: Range<u32>,
+    threads: usize,
+) {
     let mut share = threads::share(keys.len(), threads);
-    let mut spare = vec![0; keys.len()];
     let passes = bits.len().div_ceil(DIGIT_BITS as usize) as u32;
     let shares = keys.chunks_mut(share).zip(spare.chunks_mut(share));
     threads::for_each(shares.collect(), |(keys, spare)| {
         sort_share(keys, spare, &bits, passes);
     });
     if passes % 2 == 1 {
-        swap(keys, &mut spare);
+        swap(keys, spare);
     }
     while share < keys.len() {
         let pairs = keys.chunks(2 * share).zip(spare.chunks_mut(2 * share));
@@ -31,7 +37,7 @@ pub(super) fn sort_by_bits(keys: &mut Vec<u64>, bits: Range<u32>, threads: usize
             cut_merge([left, right], merged, pieces, bits.start)
         });
         threads::for_each(merges.collect(), |merge| merge.run(bits.start));
-        swap(keys, &mut spare);
+        swap(keys, spare);
         share *= 2;
     }
 }
@@ -158,7 +164,8 @@ mod tests {
                 expected.sort_by_key(digit);
                 for threads in [1, 2, 3, 8, 5000] {
                     let mut keys = given.clone();
-                    sort_by_bits(&mut keys, bits.clone(), threads);
+                    let mut spare = vec![0; keys.len()];
+                    sort_by_bits(&mut keys, &mut spare, bits.clone(), threads);
                     assert_eq!(keys, expected, "{count} {bits:?} {threads}");
                 }
             }

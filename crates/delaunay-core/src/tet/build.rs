@@ -9,6 +9,7 @@ use super::cavity::Cavity3;
 use super::coplanar;
 use super::delaunay::Delaunay3;
 use crate::error::BuildError;
+use crate::guide::Guide;
 use crate::ids::VertexId;
 use crate::options::BuildOptions;
 use crate::order::Order;
@@ -74,7 +75,7 @@ impl Delaunay3 {
         options: BuildOptions,
         meter: &mut Meter<'_>,
     ) -> Result<Self, BuildError> {
-        let order = Order::of(points, options.threads.get());
+        let order = Order::of(points, options);
         let grown = match bulk::grow(points, &order, options, meter) {
             Ok(grown) => grown,
             Err(NotGrown::Failed(error)) => return Err(error),
@@ -112,6 +113,7 @@ impl Delaunay3 {
             duplicates,
             vacant: Vec::new(),
             cavity: Cavity3::default(),
+            guide: Guide::default(),
         }
     }
 }

@@ -4,6 +4,7 @@
 
 use super::cavity::Cavity3;
 use super::mesh::TetMesh;
+use crate::guide::Guide;
 use crate::ids::{TetId, VertexId};
 use crate::tri::Duplicates;
 use geo_predicates::filter::Filter3;
@@ -43,6 +44,8 @@ pub struct Delaunay3 {
     pub(super) vertex_count: usize,
     /// Buffers of the last insertion, kept to be filled again.
     pub(super) cavity: Cavity3,
+    /// Where walks without a hint start.
+    pub(super) guide: Guide,
 }
 
 impl Delaunay3 {

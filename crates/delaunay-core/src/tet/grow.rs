@@ -9,6 +9,7 @@ use super::locate::walk;
 use super::mesh::TetMesh;
 use super::sight::Sight3;
 use super::simplex::{FlatCause, first_simplex, glue_simplex};
+use crate::guide::Guide;
 use crate::ids::{TetId, VertexId};
 use crate::tri::Duplicates;
 use geo_predicates::filter::Filter3;
@@ -36,6 +37,7 @@ impl Delaunay3 {
             duplicates: Duplicates::default(),
             vacant: Vec::new(),
             cavity: Cavity3::default(),
+            guide: Guide::default(),
         };
         few.insert_all_but(simplex);
         few.filter = Filter3::GENERAL;

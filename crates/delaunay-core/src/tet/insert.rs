@@ -15,7 +15,7 @@ impl Delaunay3 {
     /// vacant and new ones; all other tetrahedra keep their ids, so data beside the mesh need an update
     /// there only.
     ///
-    /// Expected time n^(1/3) to locate, then the size of the cavity, about twenty in random order. The
+    /// Expected time log n to locate, then the size of the cavity, about twenty in random order. The
     /// cavity may be all of the triangulation in a hostile order; [`build`](Self::build) brings points in
     /// random order.
     ///
@@ -94,5 +94,6 @@ impl Delaunay3 {
             None => self.coords.push(p),
         }
         self.vertex_count += 1;
+        self.guide.note_change();
     }
 }

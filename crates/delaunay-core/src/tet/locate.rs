@@ -7,8 +7,7 @@
 //! circumspheres falls at every step, because the triangulation is Delaunay, so no tetrahedron comes
 //! twice.
 //!
-//! Without a hint the walk starts from the nearest of about four times the cube root of n sampled vertices: at
-//! 10^6 vertices that was measured twice as fast as the fourth root, whose sample is too small.
+//! Without a hint the walk starts at a vertex of a sparse sample, see [`crate::guide`].
 
 use super::delaunay::Delaunay3;
 use super::mesh::{FACET_CORNERS, TetMesh};
@@ -52,7 +51,9 @@ impl Location3 {
 impl Delaunay3 {
     /// Where `p` is.
     ///
-    /// Expected time n^(1/3) on evenly spread vertices, at most the number of tetrahedra.
+    /// Expected time log n: a tree over a sparse sample of the vertices tells where to start, and the walk from there
+    /// takes a few steps; at most as many as there are tetrahedra. The tree is made by the first call, and by the
+    /// first one after many changes, in n log n time.
     ///
     /// # Errors
     /// [`CoordinateError`] when a coordinate of `p` is not accepted.
@@ -77,25 +78,14 @@ impl Delaunay3 {
     ) -> Result<Location3, CoordinateError> {
         geo_predicates::check_point3(0, p)?;
         let hinted = hint.and_then(|v| self.mesh.home(v));
-        let start = hinted.or_else(|| self.sampled_start(p));
+        let guided = || {
+            let lives = |v| self.contains_vertex(v);
+            self.mesh.home(self.guide.near(p, &self.coords, lives)?)
+        };
+        let start = hinted.or_else(guided);
         let start = start.or_else(|| self.mesh.tets().next());
         let sight = Sight3::new(self.coords.as_slice(), self.filter, p);
         Ok(walk(&self.mesh, &sight, start.unwrap_or(TetId::new(0))))
-    }
-
-    /// The home of the nearest to `p` of some evenly sampled vertices.
-    fn sampled_start(&self, p: DVec3) -> Option<TetId> {
-        let samples = 4.0 * (self.coords.len() as f64).cbrt();
-        let stride = self.coords.len() / samples as usize;
-        let sample = (1..self.coords.len()).step_by(stride.max(1));
-        let nearest = sample
-            .map(VertexId::from_slot)
-            .filter(|&v| self.contains_vertex(v))
-            .min_by(|&a, &b| {
-                let distance = |v| self.point_of(v).distance_squared(p);
-                distance(a).total_cmp(&distance(b))
-            });
-        nearest.and_then(|v| self.mesh.home(v))
     }
 }
 

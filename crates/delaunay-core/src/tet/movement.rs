@@ -51,6 +51,7 @@ impl Delaunay3 {
         if self.star_may_follow(v, p) {
             self.duplicates.forget(v);
             self.coords[v.slot()] = p;
+            self.guide.note_change();
             return Ok(());
         }
         match self.locate_near(p, v)? {

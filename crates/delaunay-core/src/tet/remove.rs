@@ -67,6 +67,7 @@ impl Delaunay3 {
         self.duplicates.forget(v);
         self.vacant.push(v);
         self.vertex_count -= 1;
+        self.guide.note_change();
         Ok(())
     }
 

@@ -11,6 +11,8 @@ use super::delaunay::Delaunay2;
 use super::duplicates::Duplicates;
 use super::flat::Flat;
 use crate::error::BuildError;
+use crate::guide::Guide;
+use crate::memory::vec_of;
 use crate::options::BuildOptions;
 use crate::order::Order;
 use crate::progress::{Meter, Progress, silent};
@@ -84,14 +86,13 @@ impl Delaunay2 {
         }
         check_points2(points)?;
         let mut meter = Meter::start(report, "triangulate", points.len())?;
-        let threads = options.threads.get();
-        let mut order = Order::of(points, threads);
-        let mut coords = in_order(points, &order.indices, threads);
+        let mut order = Order::of(points, options);
+        let mut coords = in_order(points, &order.indices, options);
         if !bring_triangle_to_front(&mut coords, &mut order.indices) {
             return Err(BuildError::Flat(Box::new(Flat::sorted(points))));
         }
         let bulk = Bulk::of(&coords, &order, options, LEAST_SHARE, &mut meter)?;
-        let Finish { mesh, duplicates } = bulk.finish(&order.indices, threads);
+        let Finish { mesh, duplicates } = bulk.finish(&order.indices, options);
         for (place, &p) in coords[1..].iter_mut().zip(points) {
             *place = p + DVec2::ZERO;
         }
@@ -102,14 +103,15 @@ impl Delaunay2 {
             duplicates: Duplicates::from_pairs(duplicates),
             vacant: Vec::new(),
             cavity: Cavity::default(),
+            guide: Guide::default(),
         })
     }
 }
 
 /// The points in insertion order behind the ghost; `-0.0` becomes `0.0`.
-fn in_order(points: &[DVec2], order: &[u32], threads: usize) -> Vec<DVec2> {
-    let mut coords = vec![DVec2::NAN; points.len() + 1];
-    let share = threads::share(points.len(), threads);
+fn in_order(points: &[DVec2], order: &[u32], options: BuildOptions) -> Vec<DVec2> {
+    let mut coords = vec_of(DVec2::NAN, points.len() + 1, options.huge_pages);
+    let share = threads::share(points.len(), options.threads.get());
     let shares = coords[1..].chunks_mut(share).zip(order.chunks(share));
     threads::for_each(shares.collect(), |(coords, order)| {
         for (place, &index) in coords.iter_mut().zip(order) {

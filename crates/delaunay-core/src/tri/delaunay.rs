@@ -6,6 +6,7 @@ use super::cavity::Cavity;
 use super::duplicates::Duplicates;
 use super::mesh::TriMesh;
 use super::sight::Sight;
+use crate::guide::Guide;
 use crate::ids::{FaceId, VertexId};
 use geo_predicates::filter::Filter2;
 use glam::DVec2;
@@ -43,6 +44,8 @@ pub struct Delaunay2 {
     pub(super) vacant: Vec<VertexId>,
     /// Buffers of the last insertion, kept to be filled again.
     pub(super) cavity: Cavity,
+    /// Where walks without a hint start.
+    pub(super) guide: Guide,
 }
 
 impl Delaunay2 {

@@ -33,7 +33,7 @@ impl Delaunay2 {
     /// faces of its [`cavity`](Self::cavity) give way to its star, which takes their ids and two new
     /// ones; all other faces keep their ids, so data beside the mesh need an update there only.
     ///
-    /// Expected time n^(1/3) to locate, then the size of the cavity, six on average in random order.
+    /// Expected time log n to locate, then the size of the cavity, six on average in random order.
     /// The cavity may be all n faces in a hostile order, say points of a line and of a parabola in turn;
     /// [`build`](Self::build) brings them in random order.
     ///
@@ -75,6 +75,7 @@ impl Delaunay2 {
         let v = self.name_vertex(p)?;
         let mut cavity = std::mem::take(&mut self.cavity);
         self.dig(p, seed, &mut cavity);
+        self.guide.note_change();
         self.mesh.fill(&mut cavity, v);
         self.mesh.point_at_star(cavity.faces());
         self.cavity = cavity;

@@ -11,7 +11,7 @@
 //! comes twice, and the walk takes at most as many steps as there are triangles. On uniform points
 //! in insertion order it takes about one.
 //!
-//! Without a hint the walk starts from the nearest of about cube root of n sampled vertices.
+//! Without a hint the walk starts at a vertex of a sparse sample, see [`crate::guide`].
 
 use super::delaunay::Delaunay2;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
@@ -34,7 +34,9 @@ pub enum Location {
 impl Delaunay2 {
     /// Where `p` is.
     ///
-    /// Expected time n^(1/3) on evenly spread vertices, at most n.
+    /// Expected time log n: a tree over a sparse sample of the vertices tells where to start, and the walk from there
+    /// takes a few steps; at most as many as there are triangles. The tree is made by the first call, and by the
+    /// first one after many changes, in n log n time.
     ///
     /// # Errors
     /// [`CoordinateError`] when a coordinate of `p` is not accepted.
@@ -59,22 +61,12 @@ impl Delaunay2 {
     ) -> Result<Location, CoordinateError> {
         geo_predicates::check_point2(0, p)?;
         let hinted = hint.and_then(|v| self.mesh.outgoing(v));
-        let start = hinted.or_else(|| self.sampled_start(p));
+        let guided = || {
+            let lives = |v| self.contains_vertex(v);
+            self.mesh.outgoing(self.guide.near(p, &self.coords, lives)?)
+        };
+        let start = hinted.or_else(guided);
         Ok(self.walk(p, self.real_side(start.unwrap_or(HalfEdgeId::new(0)))))
-    }
-
-    /// A half-edge that leaves the nearest to `p` of some evenly sampled vertices.
-    fn sampled_start(&self, p: DVec2) -> Option<HalfEdgeId> {
-        let stride = self.coords.len() / (self.coords.len() as f64).cbrt() as usize;
-        let sample = (1..self.coords.len()).step_by(stride.max(1));
-        let nearest = sample
-            .map(VertexId::from_slot)
-            .filter(|&v| self.contains_vertex(v))
-            .min_by(|&a, &b| {
-                let distance = |v| self.point_of(v).distance_squared(p);
-                distance(a).total_cmp(&distance(b))
-            });
-        nearest.and_then(|v| self.mesh.outgoing(v))
     }
 
     /// `h`, or a half-edge of a triangle beside it when `h` bounds a ghost face.

@@ -54,6 +54,7 @@ impl Delaunay2 {
         self.mesh.forget_vertex(v);
         self.duplicates.forget(v);
         self.vacant.push(v);
+        self.guide.note_change();
         Ok(())
     }
 }

@@ -48,7 +48,9 @@ struct Plan<'a> {
     cancelled: AtomicBool,
 }
 
-/// One part's work, and what came of it.
+/// One part's work, and what came of it; in cache lines of its own, because it changes with every point and lies beside
+/// that of another thread.
+#[repr(align(128))]
 struct Task {
     inserter: Inserter<true>,
     points: Vec<VertexId>,

@@ -4,6 +4,8 @@ use super::super::mesh::{Face, TriMesh};
 use super::fill::faces_of;
 use super::rounds::Bulk;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::memory::{vec_of, vec_with_capacity};
+use crate::options::BuildOptions;
 use crate::threads;
 
 /// A mesh over the caller's points.
@@ -16,9 +18,9 @@ pub(in super::super) struct Finish {
 impl Bulk {
     /// Passes from vertex slots in insertion order to the caller's numbers, given in that order; of equal
     /// points the smallest number stands for all.
-    pub(in super::super) fn finish(mut self, order: &[u32], threads: usize) -> Finish {
+    pub(in super::super) fn finish(mut self, order: &[u32], options: BuildOptions) -> Finish {
         self.close_gaps();
-        let mut names: Vec<Name> = Vec::with_capacity(order.len() + 1);
+        let mut names: Vec<Name> = vec_with_capacity(order.len() + 1, options.huge_pages);
         names.push(Name::new(VertexId::GHOST));
         names.extend(
             order
@@ -26,10 +28,11 @@ impl Bulk {
                 .map(|&index| Name::new(VertexId::new(index as usize))),
         );
         self.name_duplicates(&mut names);
-        let outgoing = match threads {
-            1 => name_corners(&mut self.faces, names),
-            _ => name_corners_together(&mut self.faces, &names, threads),
-        };
+        let mut outgoing = vec_of(HalfEdgeId::NONE, names.len(), options.huge_pages);
+        match options.threads.get() {
+            1 => name_corners(&mut self.faces, names, &mut outgoing),
+            threads => name_corners_together(&mut self.faces, &names, &mut outgoing, threads),
+        }
         Finish {
             mesh: TriMesh {
                 faces: self.faces,
@@ -94,9 +97,9 @@ impl Name {
     }
 }
 
-/// Gives each corner the name in its slot; answers the half-edge with the smallest id that leaves each vertex, by
+/// Gives each corner the name in its slot, and `outgoing` the half-edge with the smallest id that leaves each vertex, by
 /// its new slot.
-fn name_corners(faces: &mut [Face], mut names: Vec<Name>) -> Vec<HalfEdgeId> {
+fn name_corners(faces: &mut [Face], mut names: Vec<Name>, outgoing: &mut [HalfEdgeId]) {
     for (index, face) in faces.iter_mut().enumerate().rev() {
         let f = FaceId::new(index);
         for corner in (0..3).rev() {
@@ -105,17 +108,20 @@ fn name_corners(faces: &mut [Face], mut names: Vec<Name>) -> Vec<HalfEdgeId> {
             face.origin[corner] = name.vertex;
         }
     }
-    let mut outgoing = vec![HalfEdgeId::NONE; names.len()];
     for name in names {
         outgoing[name.vertex.slot()] = name.outgoing;
     }
-    outgoing
 }
 
 /// As [`name_corners`], on several threads, each of which looks at a share of the faces.
 ///
 /// Each has a list of half-edges of its own for all vertices, so there are at most four.
-fn name_corners_together(faces: &mut [Face], names: &[Name], threads: usize) -> Vec<HalfEdgeId> {
+fn name_corners_together(
+    faces: &mut [Face],
+    names: &[Name],
+    outgoing: &mut [HalfEdgeId],
+    threads: usize,
+) {
     let share = threads::share(faces.len(), threads.min(4));
     let shares = faces.chunks_mut(share).enumerate().collect();
     let lists = threads::map(shares, |(number, faces)| {
@@ -130,11 +136,9 @@ fn name_corners_together(faces: &mut [Face], names: &[Name], threads: usize) -> 
         }
         first
     });
-    let mut outgoing = vec![HalfEdgeId::NONE; names.len()];
     for (slot, name) in names.iter().enumerate() {
         let mut found = lists.iter().map(|first| first[slot]);
         let found = found.find(|&h| h != HalfEdgeId::NONE);
         outgoing[name.vertex.slot()] = found.unwrap_or(HalfEdgeId::NONE);
     }
-    outgoing
 }

@@ -210,7 +210,7 @@ mod tests {
     }
 
     fn built(points: &[DVec2], threads: usize) -> Finish {
-        let mut order = Order::of(points, threads);
+        let mut order = Order::of(points, BuildOptions::on_threads(threads));
         let mut coords = vec![DVec2::NAN];
         coords.extend(order.indices.iter().map(|&index| points[index as usize]));
         assert!(bring_triangle_to_front(&mut coords, &mut order.indices));
@@ -218,7 +218,7 @@ mod tests {
         let mut meter = Meter::start(&mut quiet, "test", points.len()).unwrap();
         let options = BuildOptions::on_threads(threads);
         let bulk = Bulk::of(&coords, &order, options, 1, &mut meter).unwrap();
-        bulk.finish(&order.indices, threads)
+        bulk.finish(&order.indices, options)
     }
 
     /// With a share of one point, all rounds but the first are cut into parts.
