@@ -13,10 +13,7 @@ use crate::ids::VertexId;
 use crate::order::{Spatial, scramble};
 use std::sync::OnceLock;
 
-/// Vertices for each leaf.
-///
-/// At 10^6 points of space four, eight and thirty-two were measured slower: a small tree stays in the cache, a
-/// dense one makes short walks.
+/// Vertices for each leaf: a small tree stays in the cache, a large one makes short walks.
 const VERTICES_PER_LEAF: usize = 16;
 
 /// A tree of starts, and what has happened since it was made.
@@ -127,4 +124,70 @@ fn cut<P: Spatial>(leaves: &mut [VertexId], cuts: &mut [Cut], points: &[P]) {
     let (lower_cuts, upper_cuts) = cuts.split_at_mut(middle);
     cut(lower, lower_cuts, points);
     cut(upper, upper_cuts, points);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec2;
+
+    /// A ghost and points on a spiral, half of them in a small cluster.
+    fn places(count: usize) -> Vec<DVec2> {
+        let place = |i: usize| {
+            let scale = if i.is_multiple_of(2) { 1.0 } else { 1e-6 };
+            DVec2::from_angle(i as f64 * 2.4) * scale * (i as f64 / count as f64).sqrt()
+        };
+        [DVec2::NAN]
+            .into_iter()
+            .chain((0..count).map(place))
+            .collect()
+    }
+
+    fn nearest(points: &[DVec2], p: DVec2) -> f64 {
+        let distances = points[1..].iter().map(|q| q.distance(p));
+        distances.fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn starts_are_near_in_sparse_and_in_dense_places() {
+        let points = places(20_000);
+        let guide = Guide::default();
+        for (p, reach) in [(DVec2::new(0.3, 0.4), 1.0), (DVec2::new(2e-7, -3e-7), 1e-6)] {
+            let start = guide.near(p, &points, |_| true).unwrap();
+            // There are 625 leaves in each disk.
+            assert!(points[start.slot()].distance(p) < 0.2 * reach + nearest(&points, p));
+        }
+    }
+
+    #[test]
+    fn what_is_gone_is_no_start_and_little_changes_nothing() {
+        let points = places(1000);
+        let mut guide = Guide::default();
+        let first = guide.near(DVec2::ZERO, &points, |_| true).unwrap();
+        let second = guide.near(DVec2::ZERO, &points, |v| v != first).unwrap();
+        assert_ne!(first, second);
+        assert_eq!(guide.near(DVec2::ZERO, &points, |_| false), None);
+        guide.note_change();
+        assert_eq!(guide.near(DVec2::ZERO, &points, |_| true), Some(first));
+    }
+
+    #[test]
+    fn many_changes_make_a_new_tree() {
+        let few = places(50);
+        let mut guide = Guide::default();
+        assert!(guide.near(DVec2::ZERO, &few, |_| true).is_some());
+        let many = places(5000);
+        for _ in 50..5000 {
+            guide.note_change();
+        }
+        let far = DVec2::new(0.9, 0.1);
+        let start = guide.near(far, &many, |_| true).unwrap();
+        assert!(many[start.slot()].distance(far) < 0.3 && start.slot() > 50);
+    }
+
+    #[test]
+    fn without_points_there_is_no_start() {
+        let guide = Guide::default();
+        assert_eq!(guide.near(DVec2::ZERO, &[DVec2::NAN], |_| true), None);
+    }
 }

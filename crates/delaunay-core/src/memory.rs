@@ -1,4 +1,4 @@
-//! Large pages for large arrays.
+//! Large pages for large arrays, and calls for single elements ahead of their use.
 //!
 //! A build writes arrays of many megabytes once and reads them in a local but not sequential order. In pages
 //! of 2 MiB instead of 4 KiB the system has 500 times fewer pages to hand out and the processor finds
@@ -44,6 +44,21 @@ pub(crate) fn prefer_huge_pages<T>(spare: &mut [MaybeUninit<T>]) {
     let before = start.align_offset(PAGE);
     let inner = bytes.saturating_sub(before) / PAGE * PAGE;
     advise(start.wrapping_add(before), inner);
+}
+
+/// Calls for `place` to be near when it is read soon.
+#[inline(always)]
+pub(crate) fn prefetch<T>(place: &T) {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: prefetching has no effect that a program can see, whatever the address.
+        unsafe {
+            _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(place).cast());
+        }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = place;
 }
 
 #[cfg(target_os = "linux")]

@@ -16,7 +16,7 @@ impl TetMesh {
         seen.clear();
         let pending: Vec<TetId> = self.home(v).into_iter().collect();
         for t in &pending {
-            seen.insert(t.index() as u64, ());
+            seen.meet(t.index() as u64, ());
         }
         Star {
             mesh: self,
@@ -113,8 +113,7 @@ impl Iterator for Star<'_> {
         for f in t.facets() {
             let across = self.mesh.twin(f).tet();
             let key = across.index() as u64;
-            if self.mesh.apex(f) != self.vertex && self.seen.get(key).is_none() {
-                self.seen.insert(key, ());
+            if self.mesh.apex(f) != self.vertex && self.seen.meet(key, ()).is_none() {
                 self.pending.push(across);
             }
         }

@@ -11,6 +11,7 @@ use super::delaunay::Delaunay3;
 use crate::error::BuildError;
 use crate::guide::Guide;
 use crate::ids::VertexId;
+use crate::memory::vec_with_capacity;
 use crate::options::BuildOptions;
 use crate::order::Order;
 use crate::progress::{Meter, Progress, silent};
@@ -84,12 +85,12 @@ impl Delaunay3 {
                 return Err(BuildError::Flat(Box::new(flat)));
             }
         };
-        Ok(Self::renumbered(points, &order.indices, grown))
+        Ok(Self::renumbered(points, &order.indices, grown, options))
     }
 
     /// Passes from numbers in insertion order to the caller's; of equal points the smallest
     /// number stands for all.
-    fn renumbered(points: &[DVec3], order: &[u32], grown: Grown) -> Self {
+    fn renumbered(points: &[DVec3], order: &[u32], grown: Grown, options: BuildOptions) -> Self {
         let given = order.iter().map(|&index| VertexId::new(index as usize));
         let mut names: Vec<VertexId> = [VertexId::GHOST].into_iter().chain(given).collect();
         for (duplicate, vertex) in &grown.duplicates {
@@ -103,10 +104,12 @@ impl Delaunay3 {
             .map(|(duplicate, vertex)| (names[duplicate.slot()], names[vertex.slot()]));
         let duplicates = Duplicates::from_pairs(named.collect());
         let mut mesh = grown.mesh;
-        mesh.rename_vertices(&names);
-        let places = points.iter().map(|&p| p + DVec3::ZERO);
+        mesh.rename_vertices(&names, options.huge_pages);
+        let mut coords = vec_with_capacity(points.len() + 1, options.huge_pages);
+        coords.push(DVec3::NAN);
+        coords.extend(points.iter().map(|&p| p + DVec3::ZERO));
         Self {
-            coords: [DVec3::NAN].into_iter().chain(places).collect(),
+            coords,
             mesh,
             filter: Filter3::GENERAL,
             vertex_count: points.len() - duplicates.len(),

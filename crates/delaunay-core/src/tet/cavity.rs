@@ -9,18 +9,28 @@ use super::mesh::TetMesh;
 use super::sight::Sight3;
 use super::table::Table;
 use crate::ids::{FacetId, TetId, VertexId};
+use crate::memory::prefetch;
 use geo_predicates::CoordinateError;
 use glam::DVec3;
 use rustc_hash::FxHashSet;
+
+/// As many tetrahedra as all but a few cavities have in evenly spread points.
+const USUAL_TETS: usize = 40;
 
 /// The tetrahedra whose open circumball contains a point, and the facets that bound them.
 #[derive(Clone, Debug, Default)]
 pub struct Cavity3 {
     pub(super) tets: Vec<TetId>,
     pub(super) boundary: Vec<FacetId>,
-    /// What was found out about each tetrahedron met.
-    tested: Table<bool>,
-    /// The new facets on the directed edges of the boundary, see [`super::star`].
+    /// The tetrahedra round the layer added last, each by the facet it was met through.
+    around: Vec<FacetId>,
+    /// The facets of the cavity by their outer sides, with the number of the tetrahedron there.
+    sides: Vec<(FacetId, u32)>,
+    /// Whether each tetrahedron met is in the cavity.
+    inside: Vec<bool>,
+    /// In which order tetrahedra were met.
+    numbers: Table<u32>,
+    /// The new facets on the edges of the boundary, see [`super::star`].
     pub(super) edges: Table<u32>,
 }
 
@@ -48,37 +58,68 @@ impl Cavity3 {
         vertices
     }
 
-    /// Fills the cavity with all that `conflicts` says of tetrahedra connected with `seed`.
+    /// Fills the cavity with all that `conflicts` says of tetrahedra connected with `seed`; `coords` are the places
+    /// of the vertices.
+    ///
+    /// It grows in layers. All that has to be looked at to test the tetrahedra round a layer is called for
+    /// before the first is tested, so that the waits for memory, which take most of the time in a large mesh,
+    /// pass together.
     pub(super) fn dig(
         &mut self,
         mesh: &TetMesh,
+        coords: &[DVec3],
         seed: TetId,
         mut conflicts: impl FnMut(TetId) -> bool,
     ) {
         self.tets.clear();
-        self.boundary.clear();
-        self.tested.clear();
+        self.sides.clear();
+        self.inside.clear();
+        // Room for all but a few cavities, so that a new list grows once.
+        self.tets.reserve(USUAL_TETS);
+        self.sides.reserve(4 * USUAL_TETS);
+        self.inside.reserve(2 * USUAL_TETS);
+        self.numbers.clear();
         self.tets.push(seed);
-        self.tested.insert(key(seed), true);
-        let mut next = 0;
-        while let Some(&t) = self.tets.get(next) {
-            next += 1;
-            for facet in t.facets() {
-                let outer = mesh.twin(facet);
-                let across = outer.tet();
-                let known = self.tested.get(key(across));
-                let inside = known.unwrap_or_else(|| {
-                    let inside = conflicts(across);
-                    self.tested.insert(key(across), inside);
-                    if inside {
-                        self.tets.push(across);
-                    }
-                    inside
-                });
-                if !inside {
-                    self.boundary.push(outer);
+        self.inside.push(true);
+        self.numbers.meet(key(seed), 0);
+        let mut layer = 0;
+        while layer < self.tets.len() {
+            let first = self.inside.len();
+            self.surround(mesh, layer);
+            layer = self.tets.len();
+            for &outer in &self.around {
+                let apex = mesh.apex(outer);
+                prefetch(&coords[apex.slot()]);
+                mesh.prefetch_home(apex);
+            }
+            for (number, outer) in (first..).zip(&self.around) {
+                if conflicts(outer.tet()) {
+                    self.inside[number] = true;
+                    self.tets.push(outer.tet());
                 }
             }
+        }
+        let sides = self.sides.iter();
+        let boundary = sides.filter(|&&(_, number)| !self.inside[number as usize]);
+        self.boundary.clear();
+        self.boundary.extend(boundary.map(|&(outer, _)| outer));
+    }
+
+    /// Finds the tetrahedra round those from number `layer` on that have not been met before; they count as
+    /// outside for now.
+    fn surround(&mut self, mesh: &TetMesh, layer: usize) {
+        self.around.clear();
+        let sides = self.tets[layer..].iter().flat_map(|t| t.facets());
+        for outer in sides.map(|facet| mesh.twin(facet)) {
+            let across = outer.tet();
+            let next = self.inside.len() as u32;
+            let known = self.numbers.meet(key(across), next);
+            if known.is_none() {
+                self.inside.push(false);
+                self.around.push(outer);
+                mesh.prefetch_tet(across);
+            }
+            self.sides.push((outer, known.unwrap_or(next)));
         }
     }
 }
@@ -121,6 +162,8 @@ impl Delaunay3 {
     /// Fills `cavity` with the cavity of `p`, from a tetrahedron `seed` known to be in it.
     pub(super) fn dig(&self, p: DVec3, seed: TetId, cavity: &mut Cavity3) {
         let sight = Sight3::new(self.coords.as_slice(), self.filter, p);
-        cavity.dig(&self.mesh, seed, |t| sight.in_conflict(&self.mesh, t));
+        cavity.dig(&self.mesh, &self.coords, seed, |t| {
+            sight.in_conflict(&self.mesh, t)
+        });
     }
 }

@@ -56,7 +56,9 @@ impl Delaunay3 {
             let Ok(seed) = self.seed(walk(&self.mesh, &sight, start)) else {
                 continue;
             };
-            cavity.dig(&self.mesh, seed, |t| sight.in_conflict(&self.mesh, t));
+            cavity.dig(&self.mesh, &self.coords, seed, |t| {
+                sight.in_conflict(&self.mesh, t)
+            });
             let filled = self.mesh.fill(&mut cavity, v);
             debug_assert!(filled, "few points have few tetrahedra");
             start = cavity.tets[0];

@@ -98,6 +98,10 @@ pub(super) fn walk(mesh: &TetMesh, sight: &Sight3<&[DVec3]>, start: TetId) -> Lo
     let mut entry = None;
     loop {
         let corners = mesh.tet_vertices(tet);
+        // While the walk waits for the places of the corners, what comes next is on its way.
+        for facet in tet.facets() {
+            mesh.prefetch_tet(mesh.twin(facet).tet());
+        }
         let seen = corners.map(|v| sight.see(v));
         let mut sides = [Sign::Negative; 4];
         let mut exit = None;

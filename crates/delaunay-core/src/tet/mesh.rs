@@ -16,6 +16,7 @@
 //! is arithmetic on its number, see [`FacetId`].
 
 use crate::ids::{FacetId, TetId, VertexId};
+use crate::memory::{prefetch, vec_of};
 
 /// Corners of the facet opposite each corner, counterclockwise seen from outside a right-handed
 /// tetrahedron. With `p` inside and `[a, b, c]` the corners of a facet, `[p, a, b, c]` is right-handed.
@@ -216,6 +217,20 @@ impl TetMesh {
         }
     }
 
+    /// Calls for what is stored of a tetrahedron.
+    #[inline]
+    pub(super) fn prefetch_tet(&self, t: TetId) {
+        prefetch(&self.tets[t.index()]);
+    }
+
+    /// Calls for the home of a vertex.
+    #[inline]
+    pub(super) fn prefetch_home(&self, v: VertexId) {
+        if let Some(home) = self.homes.get(v.slot()) {
+            prefetch(home);
+        }
+    }
+
     pub(super) fn set_twin(&mut self, f: FacetId, twin: FacetId) {
         self.tets[f.tet().index()].twin[f.corner()] = twin;
     }
@@ -230,19 +245,19 @@ impl TetMesh {
     }
 
     /// Gives each vertex the name in its slot and finds it a home, the tetrahedron with the smallest id;
-    /// no home for vertices without a tetrahedron. There must be no vacant slots.
-    pub(super) fn rename_vertices(&mut self, names: &[VertexId]) {
+    /// no home for vertices without a tetrahedron. There must be no vacant slots. `huge_pages` is about
+    /// the list of homes.
+    pub(super) fn rename_vertices(&mut self, names: &[VertexId], huge_pages: bool) {
         // Old names are near each other in a tetrahedron and its neighbours, new ones are anywhere: one
         // scattered write for each vertex, not for each corner.
-        let mut homes = vec![TetId::NONE; names.len()];
+        let mut homes = vec_of(TetId::NONE, names.len(), huge_pages);
         for (index, tet) in self.tets.iter_mut().enumerate().rev() {
             for v in tet.vertex {
                 homes[v.slot()] = TetId::new(index);
             }
             tet.vertex = tet.vertex.map(|v| names[v.slot()]);
         }
-        self.homes.clear();
-        self.homes.resize(names.len(), TetId::NONE);
+        self.homes = vec_of(TetId::NONE, names.len(), huge_pages);
         for (home, name) in homes.into_iter().zip(names) {
             if home != TetId::NONE {
                 self.homes[name.slot()] = home;

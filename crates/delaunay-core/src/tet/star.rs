@@ -2,8 +2,8 @@
 //!
 //! Each facet `[a, b, c]` of the boundary, as seen from the tetrahedron outside, faces a new tetrahedron
 //! `[v, a', b', c']`, the same corners as seen from inside. Its facet 0 is glued to the outside, the
-//! others to its neighbours in the star: two new tetrahedra that share the boundary edge `a b` run along
-//! it in opposite directions, so a table of directed edges finds the partner.
+//! others to its neighbours in the star: each edge of the boundary is met twice, and a table finds the facet on it
+//! that was met first.
 
 use super::cavity::Cavity3;
 use super::mesh::TetMesh;
@@ -12,9 +12,9 @@ use crate::ids::{FacetId, TetId, VertexId};
 /// Corners 1, 2, 3 of a new tetrahedron: the edge from `corner` to `corner + 1` is across which facet.
 pub(super) const ACROSS: [(usize, usize, usize); 3] = [(1, 2, 3), (2, 3, 1), (3, 1, 2)];
 
-/// The key of a directed edge.
-fn edge(from: VertexId, to: VertexId) -> u64 {
-    (from.slot() as u64) << 32 | to.slot() as u64
+/// The key of an edge.
+fn edge(a: VertexId, b: VertexId) -> u64 {
+    (a.max(b).slot() as u64) << 32 | a.min(b).slot() as u64
 }
 
 impl TetMesh {
@@ -39,22 +39,16 @@ impl TetMesh {
             .collect();
         self.take_slots(cavity, count);
         cavity.edges.clear();
-        for (&t, new) in cavity.tets.iter().zip(&corners) {
-            for (from, to, facet) in ACROSS {
-                let facet = t.facet(facet).raw();
-                cavity.edges.insert(edge(new[from], new[to]), facet);
-            }
-        }
         for ((&t, new), &outer) in cavity.tets.iter().zip(&corners).zip(&cavity.boundary) {
-            let mut twins = t.facets();
-            twins[0] = outer;
+            self.put(t, *new, t.facets());
+            self.glue(outer, t.facet(0));
             for (from, to, facet) in ACROSS {
-                let partner = cavity.edges.get(edge(new[to], new[from]));
-                debug_assert!(partner.is_some(), "the boundary of a cavity is closed");
-                twins[facet] = partner.map_or(t.facet(facet), FacetId::from_raw);
+                let facet = t.facet(facet);
+                let met = cavity.edges.meet(edge(new[from], new[to]), facet.raw());
+                if let Some(partner) = met {
+                    self.glue(facet, FacetId::from_raw(partner));
+                }
             }
-            self.put(t, *new, twins);
-            self.set_twin(outer, t.facet(0));
             self.settle(t);
         }
         true

@@ -125,7 +125,9 @@ impl Regular3 {
             if !sight.in_conflict(&self.mesh, seed) {
                 continue;
             }
-            cavity.dig(&self.mesh, seed, |t| sight.in_conflict(&self.mesh, t));
+            cavity.dig(&self.mesh, &self.coords, seed, |t| {
+                sight.in_conflict(&self.mesh, t)
+            });
             self.fill(&mut cavity, v)?;
             start = cavity.tets[0];
         }
