@@ -2,7 +2,7 @@
 //! for every order and numbering.
 #![allow(clippy::unwrap_used)]
 
-use geo_predicates::filter::Filter3;
+use geo_predicates::filter::{Filter3, Relative2, Relative3, raised_inside};
 use geo_predicates::{
     DVec2, DVec3, Lexicographic2, Lexicographic3, Sign, WeightedPoint2, WeightedPoint3,
     cocircular_inside, cospherical_inside, in_circle, in_circle_perturbed, in_circle_perturbed_by,
@@ -258,6 +258,28 @@ fn negative_zero_is_zero_as_a_key() {
     assert!(Lexicographic3(DVec3::new(1.0, 0.0, -1.0)) < Lexicographic3(DVec3::X));
 }
 
+/// Five distinct points of a cubic lattice with `side` steps along each axis.
+fn lattice_points(side: u16) -> impl Strategy<Value = [DVec3; 5]> {
+    let coordinate = 0..=side;
+    let point = (coordinate.clone(), coordinate.clone(), coordinate);
+    prop::collection::hash_set(point, 5).prop_map(|points| {
+        let mut points = points.into_iter();
+        std::array::from_fn(|_| {
+            let (x, y, z) = points.next().unwrap();
+            DVec3::new(f64::from(x), f64::from(y), f64::from(z))
+        })
+    })
+}
+
+/// The ghost is never decided for.
+#[test]
+fn the_exact_filter_leaves_open_what_is_not_a_number() {
+    let corners = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NAN];
+    let seen = corners.map(|v| Relative3::new(v, DVec3::ZERO));
+    let filter = Filter3::for_points(&corners[..3]);
+    assert_eq!(filter.in_exact_sphere(seen.each_ref()), None);
+}
+
 proptest! {
     /// On one circle, in the order `a`, `p`, `b`, `apex`.
     #[test]
@@ -283,6 +305,34 @@ proptest! {
             cocircular_inside(Lexicographic2(a), Lexicographic2(b), Lexicographic2(apex), Lexicographic2(p)),
             in_circle_perturbed(a, b, apex, p)
         );
+        let [a_seen, b_seen, apex_seen] = [a, b, apex].map(|v| Relative2::new(v, p));
+        prop_assert_eq!(
+            raised_inside(&a_seen, &b_seen, &apex_seen),
+            in_circle_perturbed(a, b, apex, p)
+        );
+    }
+
+    /// Wherever the doubles are exact: in small lattices, where most answers are ties, and at the limit of the filter.
+    #[test]
+    fn the_exact_filter_agrees_with_the_perturbed_sphere(
+        points in prop_oneof![lattice_points(2), lattice_points(3), lattice_points(6), lattice_points(659)],
+        unit in prop_oneof![Just(1.0), Just(2f64.powi(-60)), Just(2f64.powi(90))],
+    ) {
+        let points = points.map(|p| p * unit);
+        let [a, b, c, d, e] = points;
+        let corners = match orient3d(a, b, c, d) {
+            Sign::Positive => [a, b, c, d],
+            Sign::Negative => [b, a, c, d],
+            Sign::Zero => return Ok(()),
+        };
+        let filter = Filter3::for_points(&points);
+        let seen = corners.map(|v| Relative3::new(v, e));
+        let [a, b, c, d] = corners;
+        prop_assert_eq!(
+            filter.in_exact_sphere(seen.each_ref()),
+            Some(in_sphere_perturbed(a, b, c, d, e))
+        );
+        prop_assert_eq!(Filter3::GENERAL.in_exact_sphere(seen.each_ref()), None);
     }
 
     /// On the sphere round a cube.

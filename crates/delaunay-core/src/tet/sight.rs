@@ -110,6 +110,9 @@ impl<P: Places> Sight3<P> {
     ) -> bool {
         let places = corners.map(|v| self.places.place(v));
         let [a, b, c, d] = places.map(|place| Relative3::new(place, self.from));
+        if let Some(inside) = self.filter.in_exact_sphere([&a, &b, &c, &d]) {
+            return inside;
+        }
         let sign = self.filter.in_sphere_relative(&a, &b, &c, &d);
         match sign.or_else(|| second(places, self.from)) {
             Some(Sign::Positive) => true,

@@ -6,8 +6,8 @@
 //! decides for it, so only the slow path needs to know about ghosts.
 
 use crate::ids::VertexId;
-use geo_predicates::filter::{Cross, Filter2, Relative2};
-use geo_predicates::{Lexicographic2, Sign, cocircular_inside, in_circle_perturbed, orient2d};
+use geo_predicates::filter::{Cross, Filter2, Relative2, raised_inside};
+use geo_predicates::{Sign, in_circle_perturbed, orient2d};
 use glam::DVec2;
 
 /// The vertices of a triangulation as seen from a point.
@@ -69,16 +69,9 @@ impl<'a> Sight<'a> {
         match self.filter.in_circle_crossed(corners, crosses) {
             Some(Sign::Positive) => true,
             Some(Sign::Negative) => false,
-            Some(Sign::Zero) => self.wins_tie([b.vertex, a.vertex, apex.vertex]),
+            Some(Sign::Zero) => raised_inside(&a.arm, &b.arm, &apex.arm),
             None => self.exact_conflict([b.vertex, a.vertex, apex.vertex]),
         }
-    }
-
-    /// [`in_conflict`](Self::in_conflict) when the four points are known to be on one circle.
-    #[inline(never)]
-    fn wins_tie(&self, face: [VertexId; 3]) -> bool {
-        let [b, a, apex] = face.map(|v| Lexicographic2(self.point(v)));
-        cocircular_inside(a, b, apex, Lexicographic2(self.from))
     }
 
     /// Conflict with any face, its corners counterclockwise; ghosts included.

@@ -7,7 +7,7 @@
 //! than the other filters where points are dense, so use it before them, not instead.
 
 use super::plane::{in_circle_determinant, orient2d_products};
-use super::space::{below_hyperplane, volume};
+use super::space::{below_hyperplane, volume, volumes_without};
 use super::{Relative2, Relative3, certain};
 use crate::sign::Sign;
 use crate::statistics::Predicate;
@@ -88,7 +88,7 @@ impl StaticFilter3 {
         let [a, b, c, d] = [a, b, c, d].map(|corner| Relative3::new(corner, e));
         certain(
             Predicate::InSphere,
-            below_hyperplane(&a, &b, &c, &d),
+            below_hyperplane([&a, &b, &c, &d], volumes_without([&a, &b, &c, &d])),
             self.sphere,
         )
     }

@@ -74,7 +74,7 @@ mod plane;
 mod space;
 
 pub use fixed::{StaticFilter2, StaticFilter3};
-pub use plane::{Cross, Filter2, Relative2};
+pub use plane::{Cross, Filter2, Relative2, raised_inside};
 pub(crate) use plane::{in_diametral_circle, power_circle};
 pub use space::{Filter3, Relative3};
 pub(crate) use space::{in_diametral_ball, in_diametral_sphere, power_sphere};

@@ -128,6 +128,19 @@ impl Filter2 {
     }
 }
 
+/// [`cocircular_inside`](crate::cocircular_inside) of the vertices `a`, `b`, `apex` and the query point, where a filter
+/// [made for them](Filter2::for_points) has found a tie.
+///
+/// Made for lattices, where a tie is the rule: it needs neither the coordinates nor a branch.
+#[inline(always)]
+#[must_use]
+pub fn raised_inside(a: &Relative2, b: &Relative2, apex: &Relative2) -> bool {
+    // Greater than any difference of coordinates in units of their lowest bit, so that keys are ordered as vectors are.
+    const BASE: f64 = 16_384.0;
+    let [a, b, apex] = [a, b, apex].map(|seen| seen.vector.x * BASE + seen.vector.y);
+    a.max(b) > apex.max(0.0)
+}
+
 /// The two products whose difference is the doubled area of the origin, `a`, `b`.
 #[inline(always)]
 pub(super) fn orient2d_products(a: DVec2, b: DVec2) -> (f64, f64) {

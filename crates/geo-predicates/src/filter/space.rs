@@ -3,7 +3,7 @@
 use super::{certain, exact_up_to};
 use crate::few_bits::extent;
 use crate::sign::Sign;
-use crate::statistics::Predicate;
+use crate::statistics::{Predicate, Stage, record};
 use glam::DVec3;
 
 const ORIENT3D: f64 = 7.78e-16;
@@ -110,10 +110,53 @@ impl Filter3 {
         let sum = (a.lift + b.lift) + (c.lift + d.lift);
         certain(
             Predicate::InSphere,
-            below_hyperplane(a, b, c, d),
+            below_hyperplane([a, b, c, d], volumes_without([a, b, c, d])),
             self.sphere * (sum * sum * sum.sqrt()),
         )
     }
+
+    /// Whether the query point is inside the sphere of the right-handed `corners`, ties broken as by
+    /// [`in_sphere_perturbed`](crate::in_sphere_perturbed), when the doubles are exact for `in_sphere`; `None` when they are not
+    /// or a corner is not a number.
+    ///
+    /// The corners are distinct points, none of them the query. A tie costs nothing: raising the lift of a corner adds
+    /// to the determinant a multiple of the volume of the other three, which is at hand.
+    #[inline(always)]
+    #[must_use]
+    pub fn in_exact_sphere(&self, corners: [&Relative3; 4]) -> Option<bool> {
+        if self.sphere != 0.0 {
+            return None;
+        }
+        let volumes = volumes_without(corners);
+        let below = below_hyperplane(corners, volumes);
+        if below.is_nan() {
+            return None;
+        }
+        record(Predicate::InSphere, Stage::Filter);
+        Some(below > 0.0 || (below == 0.0 && raised_inside(corners, volumes)))
+    }
+}
+
+/// The answer to a tie: that of the greatest of the four corners and the query in lexicographic order whose raise
+/// changes anything. The raise of the query lifts it out of the sphere.
+///
+/// Made for lattices, where a tie is the rule: no branch depends on the order of the corners.
+#[inline(always)]
+fn raised_inside(corners: [&Relative3; 4], volumes: [f64; 4]) -> bool {
+    // Greater than any difference of coordinates in units of their lowest bit, so that keys are ordered as vectors are.
+    const BASE: f64 = 2048.0;
+    let mut greatest = 0;
+    let mut inside = 0;
+    for (corner, volume) in corners.into_iter().zip(volumes) {
+        let DVec3 { x, y, z } = corner.vector;
+        // Bits of doubles that are not negative are in the order of the doubles, and those of negative ones below.
+        let key = ((x * BASE + y) * BASE + z).to_bits() as i64;
+        let key = key * i64::from(volume != 0.0);
+        let answer = i64::from(volume > 0.0);
+        inside = if key > greatest { answer } else { inside };
+        greatest = greatest.max(key);
+    }
+    inside != 0
 }
 
 /// `in_diametral_sphere(a, b, p)` of the vectors from `p` to `a` and `b`.
@@ -157,7 +200,7 @@ pub(crate) fn power_sphere(corners: [(DVec3, f64); 4]) -> Option<Sign> {
     let sum = (sizes[0] + sizes[1]) + (sizes[2] + sizes[3]);
     certain(
         Predicate::PowerSphere,
-        below_hyperplane(&a, &b, &c, &d),
+        below_hyperplane([&a, &b, &c, &d], volumes_without([&a, &b, &c, &d])),
         POWER_SPHERE * (sum * sum * sum.sqrt()),
     )
 }
@@ -169,9 +212,17 @@ pub(super) fn volume(a: DVec3, b: DVec3, c: DVec3) -> f64 {
     a.z * minor(b, c) + b.z * minor(c, a) + c.z * minor(a, b)
 }
 
-/// How far the origin is below the hyperplane of the lifted vectors, times their volume.
+/// How far the origin is below the hyperplane of the lifted `corners`, times their volume, from the
+/// [volumes](volumes_without).
 #[inline(always)]
-pub(super) fn below_hyperplane(a: &Relative3, b: &Relative3, c: &Relative3, d: &Relative3) -> f64 {
+pub(super) fn below_hyperplane(corners: [&Relative3; 4], volumes: [f64; 4]) -> f64 {
+    let [a, b, c, d] = std::array::from_fn(|i| corners[i].lift * volumes[i]);
+    (c + d) + (a + b)
+}
+
+/// For each of four vectors the volume of the other three, with the sign it has in the determinant of the lifted four.
+#[inline(always)]
+pub(super) fn volumes_without([a, b, c, d]: [&Relative3; 4]) -> [f64; 4] {
     let (ab, bc, cd, da) = (minor(a, b), minor(b, c), minor(c, d), minor(d, a));
     let (ac, bd) = (minor(a, c), minor(b, d));
     let [az, bz, cz, dz] = [a.vector.z, b.vector.z, c.vector.z, d.vector.z];
@@ -179,7 +230,7 @@ pub(super) fn below_hyperplane(a: &Relative3, b: &Relative3, c: &Relative3, d: &
     let bcd = bz * cd - cz * bd + dz * bc;
     let cda = cz * da + dz * ac + az * cd;
     let dab = dz * ab + az * bd + bz * da;
-    (c.lift * dab - d.lift * abc) + (a.lift * bcd - b.lift * cda)
+    [bcd, -cda, dab, -abc]
 }
 
 /// `a.x b.y - a.y b.x`.

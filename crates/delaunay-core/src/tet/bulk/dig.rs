@@ -78,13 +78,20 @@ impl<const SHARED: bool> Inserter<SHARED> {
         if stamp == self.stamp {
             return (false, stamp);
         }
-        let sight = Sight3::new(self.arena, self.filter, p);
-        let tet = self.arena.tet(t);
-        let behind = || self.arena.tet(tet.twin[3].tet()).vertex;
-        match sight.in_conflict_with(tet.vertex, behind) {
+        match self.asked(t, p) {
             true => (true, stamp),
             false => (false, self.stamp),
         }
+    }
+
+    /// Whether `t`, whatever is known of it, is in the cavity of `p`.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn asked(&self, t: TetId, p: DVec3) -> bool {
+        let sight = Sight3::new(self.arena, self.filter, p);
+        let tet = self.arena.tet(t);
+        let behind = || self.arena.tet(tet.twin[3].tet()).vertex;
+        sight.in_conflict_with(tet.vertex, behind)
     }
 
     /// Whether all real corners of `t` are of this part.

@@ -186,30 +186,35 @@ impl<const SHARED: bool> Inserter<SHARED> {
     #[inline(never)]
     #[target_feature(enable = "avx2,fma,popcnt")]
     fn ask_all(&self, tets: [TetId; 4], p: DVec3, doubt: u32, stamps: &mut __m128i) -> u32 {
+        let stamped = |stamp: u32| {
+            let known = _mm_cmpeq_epi32(*stamps, _mm_set1_epi32(stamp as i32));
+            _mm_movemask_ps(_mm_castsi128_ps(known)) as u32
+        };
+        let (outside, inside) = (stamped(self.stamp), stamped(self.stamp + 1));
+        let mut kept = doubt & inside;
+        let mut open = doubt & !(outside | inside);
         let mut lanes = from_lanes(*stamps);
-        let mut kept = 0;
-        for i in (0..4).filter(|i| doubt >> i & 1 == 1) {
-            let (inside, stamp) = self.ask_in_doubled(tets[i], p, lanes[i]);
+        while open != 0 {
+            let i = open.trailing_zeros() as usize % 4;
+            open &= open - 1;
+            let inside = self.ask_in_doubled(tets[i], p);
             kept |= u32::from(inside) << i;
-            lanes[i] = stamp;
+            lanes[i] = if inside { lanes[i] } else { self.stamp };
         }
         *stamps = as_lanes(lanes);
         kept
     }
 
-    /// As [`ask`](Self::ask), with doubled precision before the exact predicate.
+    /// Whether `t`, not met before, is in the cavity of `p`; with doubled precision before the exact predicate.
     #[target_feature(enable = "avx2,fma,popcnt")]
     #[inline]
-    fn ask_in_doubled(&self, t: TetId, p: DVec3, stamp: u32) -> (bool, u32) {
+    fn ask_in_doubled(&self, t: TetId, p: DVec3) -> bool {
         let corners = self.arena.tet(t).vertex;
-        let is_known = stamp == self.stamp || stamp == self.stamp + 1;
-        if is_known || corners[3].is_ghost() {
-            return self.ask(t, p, stamp);
+        if corners[3].is_ghost() {
+            return self.asked(t, p);
         }
         let sight = Sight3::new(self.arena, self.filter, p);
-        let inside =
-            sight.in_real_conflict_or(corners, |corners, p| doubled::in_sphere(corners, p));
-        (inside, if inside { stamp } else { self.stamp })
+        sight.in_real_conflict_or(corners, |corners, p| doubled::in_sphere(corners, p))
     }
 
     /// Stores `inside` for the tetrahedra that are `kept`, and the stamps they have for the others.
