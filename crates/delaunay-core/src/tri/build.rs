@@ -17,8 +17,8 @@ use crate::options::BuildOptions;
 use crate::order::Order;
 use crate::progress::{Meter, Progress, silent};
 use crate::threads;
-use geo_predicates::check_points2;
 use geo_predicates::filter::Filter2;
+use geo_predicates::{CoordinateError, check_points2};
 use glam::DVec2;
 use std::ops::ControlFlow;
 
@@ -84,7 +84,7 @@ impl Delaunay2 {
                 limit: Self::MAX_POINTS,
             });
         }
-        check_points2(points)?;
+        check_together(points, options)?;
         let mut meter = Meter::start(report, "triangulate", points.len())?;
         let mut order = Order::of(points, options);
         let mut coords = in_order(points, &order.indices, options);
@@ -93,9 +93,7 @@ impl Delaunay2 {
         }
         let bulk = Bulk::of(&coords, &order, options, LEAST_SHARE, &mut meter)?;
         let Finish { mesh, duplicates } = bulk.finish(&order.indices, options);
-        for (place, &p) in coords[1..].iter_mut().zip(points) {
-            *place = p + DVec2::ZERO;
-        }
+        copy_points(&mut coords[1..], points, options);
         Ok(Self {
             coords,
             mesh,
@@ -106,6 +104,28 @@ impl Delaunay2 {
             guide: Guide::default(),
         })
     }
+}
+
+/// As [`check_points2`], on several threads if `options` say so.
+fn check_together(points: &[DVec2], options: BuildOptions) -> Result<(), CoordinateError> {
+    let share = threads::share(points.len(), options.threads.get());
+    let checked = threads::map(points.chunks(share).collect(), check_points2);
+    // The first error is that of the first share that has one, but counted from the start of the share.
+    match checked.iter().all(Result::is_ok) {
+        true => Ok(()),
+        false => check_points2(points),
+    }
+}
+
+/// Copies points in the caller's order; `-0.0` becomes `0.0`.
+fn copy_points(places: &mut [DVec2], points: &[DVec2], options: BuildOptions) {
+    let share = threads::share(points.len(), options.threads.get());
+    let shares = places.chunks_mut(share).zip(points.chunks(share));
+    threads::for_each(shares.collect(), |(places, points)| {
+        for (place, &p) in places.iter_mut().zip(points) {
+            *place = p + DVec2::ZERO;
+        }
+    });
 }
 
 /// The points in insertion order behind the ghost; `-0.0` becomes `0.0`.

@@ -136,9 +136,33 @@ fn name_corners_together(
         }
         first
     });
-    for (slot, name) in names.iter().enumerate() {
-        let mut found = lists.iter().map(|first| first[slot]);
-        let found = found.find(|&h| h != HalfEdgeId::NONE);
-        outgoing[name.vertex.slot()] = found.unwrap_or(HalfEdgeId::NONE);
+    let first = |slot: usize| {
+        let found = lists.iter().map(|first| first[slot]);
+        let mut found = found.filter(|&h| h != HalfEdgeId::NONE);
+        found.next().unwrap_or(HalfEdgeId::NONE)
+    };
+    let places = outgoing.len();
+    let target = Scattered(outgoing.as_mut_ptr());
+    let share = threads::share(names.len(), threads);
+    let shares = names.chunks(share).enumerate().collect();
+    threads::for_each(shares, |(number, names)| {
+        for (slot, name) in (number * share..).zip(names) {
+            debug_assert!(name.vertex.slot() < places);
+            // SAFETY: names are the slots of `outgoing` in another order, so each place is there and is written
+            // once, by one thread.
+            unsafe { target.place(name.vertex.slot()).write(first(slot)) };
+        }
+    });
+}
+
+/// An array that several threads write to, each at other places.
+struct Scattered(*mut HalfEdgeId);
+
+// SAFETY: all it does is to tell addresses.
+unsafe impl Sync for Scattered {}
+
+impl Scattered {
+    fn place(&self, slot: usize) -> *mut HalfEdgeId {
+        self.0.wrapping_add(slot)
     }
 }
