@@ -41,8 +41,9 @@ impl Guide {
 
     /// A vertex near `p` for which `lives` holds, if one is found.
     ///
-    /// `points` are the places of all vertices by slot, the ghost in front. Takes log n time, but for
-    /// the first call and the first one after many changes, which take n log n.
+    /// `points` are the places of all vertices by slot, the ghost in front. Takes log n time, unless all leaves near
+    /// `p` are gone and few others are left, but for the first call and the first one after many
+    /// changes, which take n log n.
     pub(crate) fn near<P: Spatial>(
         &self,
         p: P,
@@ -50,13 +51,15 @@ impl Guide {
         lives: impl Fn(VertexId) -> bool,
     ) -> Option<VertexId> {
         let tree = self.tree.get_or_init(|| Tree::over(points, &lives));
-        tree.leaves_from(tree.leaf_of(p)).find(|&v| lives(v))
+        tree.leaves_round(tree.leaf_of(p)).find(|&v| lives(v))
     }
 }
 
 /// A balanced tree in which the node of the leaves `low..high` is the middle of that range.
 #[derive(Clone, Debug)]
 struct Tree {
+    /// Vertex slots when it was made.
+    slots: usize,
     leaves: Vec<VertexId>,
     /// By its middle, where the node of a range cuts. The first one is not used.
     cuts: Vec<Cut>,
@@ -78,12 +81,16 @@ impl Tree {
         let mut leaves: Vec<VertexId> = sample.collect();
         let mut cuts = vec![Cut { at: 0.0, axis: 0 }; leaves.len()];
         cut(&mut leaves, &mut cuts, points);
-        Self { leaves, cuts }
+        Self {
+            slots: points.len(),
+            leaves,
+            cuts,
+        }
     }
 
-    /// After how many changes the tree is too old: as many as would change every other leaf.
+    /// After how many changes the tree is too old: as many as pay for looking at all slots again.
     fn lifetime(&self) -> usize {
-        VERTICES_PER_LEAF * self.leaves.len() / 2 + VERTICES_PER_LEAF
+        self.slots / VERTICES_PER_LEAF + VERTICES_PER_LEAF
     }
 
     /// The leaf whose box contains `p`.
@@ -98,10 +105,13 @@ impl Tree {
         low
     }
 
-    /// All leaves, from one on to the last and then from there back to the first.
-    fn leaves_from(&self, leaf: usize) -> impl Iterator<Item = VertexId> {
-        let (before, after) = self.leaves.split_at(leaf);
-        after.iter().chain(before.iter().rev()).copied()
+    /// A leaf and others on both sides, first near ones, then at distances that double, then all.
+    fn leaves_round(&self, leaf: usize) -> impl Iterator<Item = VertexId> {
+        let distances = (0..usize::BITS).map(|power| 1 << power);
+        let both = distances.flat_map(move |d| [leaf.checked_add(d), leaf.checked_sub(d)]);
+        let round = [leaf].into_iter().chain(both.flatten());
+        let round = round.filter_map(|i| self.leaves.get(i).copied());
+        round.chain(self.leaves.iter().copied())
     }
 }
 
@@ -169,6 +179,21 @@ mod tests {
         assert_eq!(guide.near(DVec2::ZERO, &points, |_| false), None);
         guide.note_change();
         assert_eq!(guide.near(DVec2::ZERO, &points, |_| true), Some(first));
+    }
+
+    #[test]
+    fn a_lone_leaf_is_found_wherever_it_is() {
+        let points = places(3000);
+        let guide = Guide::default();
+        let all = guide
+            .tree
+            .get_or_init(|| Tree::over(&points, |_| true))
+            .leaves
+            .clone();
+        for last in [0, 1, all.len() / 2, all.len() - 1] {
+            let start = guide.near(DVec2::ZERO, &points, |v| v == all[last]);
+            assert_eq!(start, Some(all[last]));
+        }
     }
 
     #[test]

@@ -74,7 +74,8 @@ const LANES: usize = 8;
 
 impl Order {
     /// The curve is cut into this many stretches, at the same places in all rounds, so that each holds
-    /// an equal share of the last round (except where many points are in one cell of the grid).
+    /// an equal share of the last round (except where many points are in one cell of the grid); the first
+    /// begins and the last ends with the curve.
     pub(crate) const STRETCHES: usize = 256;
 
     /// The order of `points`; it is the same for all options.
@@ -184,9 +185,12 @@ fn stretches(
     layout: KeyLayout,
 ) -> Vec<[u32; Order::STRETCHES]> {
     let last = rounds.last().map_or(&keys[..0], |last| &keys[last.clone()]);
-    let cuts: [u64; Order::STRETCHES] = std::array::from_fn(|stretch| {
-        let first = last.get(last.len() * stretch / Order::STRETCHES);
-        first.map_or(0, |&key| layout.place(key))
+    // The first stretch begins where the curve does, which may be before the first point of the last round.
+    let cuts: [u64; Order::STRETCHES] = std::array::from_fn(|stretch| match stretch {
+        0 => 0,
+        _ => last
+            .get(last.len() * stretch / Order::STRETCHES)
+            .map_or(0, |&key| layout.place(key)),
     });
     let rank = |round: &Range<usize>, cut| {
         let before = keys[round.clone()].partition_point(|&key| layout.place(key) < cut);
@@ -315,6 +319,24 @@ mod tests {
             let options = BuildOptions::on_threads(threads);
             let found = (Order::of(&points, options), Order::of(&space, options));
             assert_eq!(found, expected, "{threads}");
+        }
+    }
+
+    /// Stretches once began where the last round does: points of other rounds before that were on none, and
+    /// builds on several threads left them out.
+    #[test]
+    fn every_rank_is_on_a_stretch() {
+        for turn in 0..12 {
+            let points: Vec<DVec2> = spiral(70_000)
+                .into_iter()
+                .map(|p| DVec2::from_angle(f64::from(turn)).rotate(p))
+                .collect();
+            let order = Order::of(&points, BuildOptions::default());
+            assert_eq!(order.rounds.len(), 3);
+            for (round, ranks) in order.rounds.iter().enumerate() {
+                let cuts = order.cuts(round, 2);
+                assert_eq!([cuts[0], cuts[2]], [ranks.start, ranks.end], "{turn}");
+            }
         }
     }
 

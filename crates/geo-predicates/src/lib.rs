@@ -95,9 +95,9 @@ pub use glam::{DVec2, DVec3};
 pub use in_ball::{in_circle, in_sphere};
 pub use orient::{orient2d, orient3d};
 pub use perturb::{
-    Lexicographic2, Lexicographic3, cocircular_inside, cospherical_inside, in_circle_perturbed,
-    in_circle_perturbed_by, in_sphere_perturbed, in_sphere_perturbed_by, power_circle_perturbed,
-    power_circle_perturbed_by, power_sphere_perturbed, power_sphere_perturbed_by,
+    Lexicographic2, Lexicographic3, cocircular_inside, in_circle_perturbed, in_circle_perturbed_by,
+    in_sphere_perturbed, in_sphere_perturbed_by, power_circle_perturbed, power_circle_perturbed_by,
+    power_sphere_perturbed, power_sphere_perturbed_by,
 };
 pub use power::{WeightedPoint2, WeightedPoint3, power_circle, power_sphere};
 pub use sign::Sign;

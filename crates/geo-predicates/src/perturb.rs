@@ -10,7 +10,6 @@
 //! The key is the position ([`Lexicographic2`], [`Lexicographic3`]: the result depends on the
 //! points alone) or anything else with a total order, such as the caller's ids.
 
-use crate::filter::Filter3;
 use crate::in_ball::{in_circle, in_sphere};
 use crate::orient::{orient2d, orient3d};
 use crate::power::{WeightedPoint2, WeightedPoint3, power_circle, power_sphere};
@@ -178,44 +177,6 @@ pub fn power_sphere_perturbed_by<K: Copy + Ord>(points: [WeightedPoint3; 5], key
 #[must_use]
 pub fn cocircular_inside<K: Copy + Ord>(a: K, b: K, apex: K, p: K) -> bool {
     a.max(b) > p.max(apex)
-}
-
-/// Whether `e` is inside the sphere of the right-handed `corners`, given that the five are on one sphere
-/// and distinct.
-///
-/// Agrees with [`in_sphere_perturbed`] without asking again whether they are, and decides most
-/// orientations by `filter`, which must hold for the five points.
-#[must_use]
-pub fn cospherical_inside(filter: &Filter3, corners: [DVec3; 4], e: DVec3) -> bool {
-    let mut smaller = [true; 4];
-    for _ in 0..4 {
-        let mut dominating = None;
-        for (i, &corner) in corners.iter().enumerate() {
-            let most = dominating.map_or(e, |i: usize| corners[i]);
-            if smaller[i] && precedes(most, corner) {
-                dominating = Some(i);
-            }
-        }
-        // The raise of the query itself lifts it out of the sphere.
-        let Some(raised) = dominating else {
-            return false;
-        };
-        let mut rest = corners;
-        rest[raised] = e;
-        let [a, b, c, d] = rest;
-        let sign = filter.orient3d(a, b, c, d);
-        match sign.unwrap_or_else(|| orient3d(a, b, c, d)) {
-            Sign::Zero => smaller[raised] = false,
-            sign => return sign.is_positive(),
-        }
-    }
-    false
-}
-
-/// Lexicographic order; `-0.0` equals `0.0`.
-#[inline]
-fn precedes(a: DVec3, b: DVec3) -> bool {
-    a.x < b.x || (a.x == b.x && (a.y < b.y || (a.y == b.y && a.z < b.z)))
 }
 
 #[inline]

@@ -7,7 +7,7 @@ use super::spatial::OnCurve;
 /// Eight was measured best among 2, 4, 8, 16 and 32, all within 4 % from 8 on.
 const ROUND_RATIO_LOG: u32 = 3;
 
-/// Where round, place and index sit in a key, from the highest bits to the lowest; the round starts at bit 63.
+/// Where round, place and index sit in a key, from the highest bits in use to the lowest.
 #[derive(Clone, Copy)]
 pub(super) struct KeyLayout {
     pub(super) index_bits: u32,

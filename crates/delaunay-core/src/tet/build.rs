@@ -66,6 +66,7 @@ impl Delaunay3 {
             });
         }
         check_points3(points)?;
+        let options = options.for_points(points.len());
         let mut meter = Meter::start(report, "tetrahedralize", points.len())?;
         Self::grow(points, options, &mut meter)
     }

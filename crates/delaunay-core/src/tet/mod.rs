@@ -4,7 +4,7 @@
 //! |---|---|
 //! | connectivity, surgery | `mesh.rs`, `around.rs`, `exchange.rs`, `flip.rs`, `canonical.rs` |
 //! | the triangulation and read access | `delaunay.rs` |
-//! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs` |
+//! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs`, `table.rs` |
 //! | all points | `build.rs`, `simplex.rs`, `bulk/`; a few `grow.rs` |
 //! | one point less, or elsewhere | `remove.rs`, `movement.rs` |
 //! | weighted points | `regular/` |

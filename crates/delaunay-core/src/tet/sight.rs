@@ -6,7 +6,7 @@
 use super::mesh::TetMesh;
 use crate::ids::{TetId, VertexId};
 use geo_predicates::filter::{Filter3, Relative3};
-use geo_predicates::{Sign, cospherical_inside, in_sphere_perturbed, orient3d};
+use geo_predicates::{Sign, in_sphere_perturbed, orient3d};
 use glam::DVec3;
 
 /// Where vertices are; not numbers for the ghost.
@@ -117,8 +117,7 @@ impl<P: Places> Sight3<P> {
         match sign.or_else(|| second(places, self.from)) {
             Some(Sign::Positive) => true,
             Some(Sign::Negative) => false,
-            Some(Sign::Zero) => cospherical_inside(&self.filter, places, self.from),
-            None => self.exact_conflict(corners),
+            Some(Sign::Zero) | None => self.exact_conflict(corners),
         }
     }
 

@@ -1,4 +1,4 @@
-//! A hash table that is emptied at once, for what is noted while one cavity is dug and filled.
+//! A hash table that is emptied at once, for what is noted while one cavity is dug and filled, or one star drawn.
 //!
 //! A few dozen entries come and go for every insertion. Open addressing in one array keeps them within
 //! a few cache lines, and a stamp tells the entries of this round from those of earlier ones, so that

@@ -84,6 +84,7 @@ impl Delaunay2 {
                 limit: Self::MAX_POINTS,
             });
         }
+        let options = options.for_points(points.len());
         check_together(points, options)?;
         let mut meter = Meter::start(report, "triangulate", points.len())?;
         let mut order = Order::of(points, options);

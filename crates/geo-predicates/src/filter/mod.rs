@@ -61,7 +61,7 @@
 //! and the bound is 0 ([`Filter2::for_points`]): lattices, the worst case of the general filter,
 //! then never reach the exact stage, and a determinant of 0 is a true tie. With differences of at
 //! most `e` units, the determinants are at most `2 e^2`, `12 e^4`, `6 e^3` and `72 e^5`, sums on the
-//! way included, and must stay below 2^53.
+//! way included, and must not exceed 2^53.
 //!
 //! # What did not pay
 //! Selecting the sign without branches (the compiler already does, and lost it), a square root per

@@ -14,7 +14,7 @@ const DIAMETRAL_BALL: f64 = 1.25e-15;
 const POWER_SPHERE: f64 = 3.3e-16;
 
 /// Greatest extents, in units of the lowest bit, for which the doubles are exact.
-const FEW_BITS_ORIENT3D: f64 = 114_503.0;
+const FEW_BITS_ORIENT3D: f64 = 114_501.0;
 const FEW_BITS_IN_SPHERE: f64 = 659.0;
 
 /// Vector from the query point to a vertex of space, with its squared length.
@@ -132,7 +132,12 @@ impl Filter3 {
         if below.is_nan() {
             return None;
         }
-        record(Predicate::InSphere, Stage::Filter);
+        let stage = if below == 0.0 {
+            Stage::Tie
+        } else {
+            Stage::Filter
+        };
+        record(Predicate::InSphere, stage);
         Some(below > 0.0 || (below == 0.0 && raised_inside(corners, volumes)))
     }
 }

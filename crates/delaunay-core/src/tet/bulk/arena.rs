@@ -1,4 +1,4 @@
-//! The records of a growing triangulation, shared by the threads that grow it. All pointers live here.
+//! The records of a growing triangulation, shared by the threads that grow it. All pointers to them live here.
 //!
 //! # Who may touch what
 //! Every real vertex belongs to one part, and every part to one thread. While threads run:
@@ -7,8 +7,8 @@
 //! - **(read)** it reads such a record only if at least two real corners are its own.
 //!
 //! A record that one thread may write has at most one real corner of another thread, so no other may
-//! read it. Both rules hold by construction: a thread deletes only tetrahedra with all real corners its
-//! own, fills their slots with tetrahedra between corners of those and its own new vertex, and reaches
+//! read it. Both rules hold by construction: a thread starts a cavity only in a tetrahedron with all real corners its
+//! own, deletes only such ones, fills their slots with tetrahedra between corners of those and its own new vertex, and reaches
 //! others only across a facet with two real corners of its own. The outer side of such a facet has
 //! three corners that satisfy the rule for writing if the facet bounds a tetrahedron that it deletes.
 //!
@@ -21,6 +21,7 @@
 
 use super::circumsphere::Circumsphere;
 use crate::ids::{FacetId, TetId, VertexId};
+use crate::memory::prefetch;
 use crate::tet::mesh::Tet;
 use crate::tet::sight::Places;
 use glam::DVec3;
@@ -212,17 +213,8 @@ impl Arena {
     /// Asks for a tetrahedron to be brought near.
     #[inline(always)]
     pub(super) fn prefetch(&self, t: TetId) {
-        #[cfg(target_arch = "x86_64")]
-        {
-            use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-            // SAFETY: prefetching has no effect on memory, whatever the address.
-            unsafe {
-                _mm_prefetch::<_MM_HINT_T0>(self.spheres.wrapping_add(t.index()).cast());
-                _mm_prefetch::<_MM_HINT_T0>(self.tets.wrapping_add(t.index()).cast());
-            }
-        }
-        #[cfg(not(target_arch = "x86_64"))]
-        let _ = t;
+        prefetch(self.spheres.wrapping_add(t.index()));
+        prefetch(self.tets.wrapping_add(t.index()));
     }
 }
 

@@ -14,6 +14,9 @@ impl<const SHARED: bool> Inserter<SHARED> {
     /// sides of its boundary; answers `false` when the cavity leaves the part.
     #[inline(always)]
     pub(super) fn dig(&mut self, p: DVec3, seed: TetId) -> bool {
+        if SHARED && !self.owns(seed) {
+            return false;
+        }
         self.open(seed);
         let inside = self.stamp + 1;
         let mut next = 0;
@@ -108,7 +111,7 @@ mod tests {
     use crate::tet::bulk::inserter::force_narrow;
     use glam::DVec3;
 
-    /// The portable loops and the wide ones make the same tetrahedra, ids included.
+    /// The portable loops and the wide ones make the same tetrahedra.
     #[test]
     fn narrow_and_wide_loops_agree() {
         let scramble = |i: u64| (i.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 40) as f64;

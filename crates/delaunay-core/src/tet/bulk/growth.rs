@@ -7,7 +7,7 @@ use super::pile::Pile;
 use super::star::Star;
 use crate::error::BuildError;
 use crate::ids::{FacetId, TetId, VertexId};
-use crate::memory::{prefer_huge_pages, vec_with_capacity};
+use crate::memory::{prefer_huge_pages, try_vec_with_capacity, vec_with_capacity};
 use crate::options::BuildOptions;
 use crate::order::Order;
 use crate::progress::Meter;
@@ -23,6 +23,9 @@ const SLOTS_PER_POINT: usize = 8;
 
 /// Slots that a part has for tetrahedra beyond what is to be expected.
 const SLACK: usize = 2048;
+
+/// Points inserted between two looks at the stamps, of which there are two for each in 32 bits.
+pub(super) const MOST_POINTS: usize = 1 << 30;
 
 /// A triangulation of points numbered in the order of their insertion.
 pub(in crate::tet) struct Grown {
@@ -52,7 +55,7 @@ pub(in crate::tet) fn grow(
 ) -> Result<Grown, NotGrown> {
     let sites = sites_in_order(points, &order.indices, options);
     let simplex = first_simplex(sites.as_slice(), sites.len()).map_err(NotGrown::Flat)?;
-    let mut growth = Growth::of_simplex(points, sites, simplex, options);
+    let mut growth = Growth::of_simplex(points, sites, simplex, options)?;
 
     for round in 0..order.rounds.len() {
         growth.insert_round(order, round, options.threads.get(), meter)?;
@@ -100,7 +103,7 @@ impl Growth {
         sites: Vec<Site>,
         simplex: [VertexId; 4],
         options: BuildOptions,
-    ) -> Self {
+    ) -> Result<Self, BuildError> {
         let mut mesh = TetMesh::default();
         glue_simplex(&mut mesh, simplex);
         let slack = if options.threads.get() > 1 {
@@ -109,15 +112,16 @@ impl Growth {
             64
         };
         let room = (SLOTS_PER_POINT * points.len() + slack).min(TetId::LIMIT);
-        let mut tets = vec_with_capacity(room, options.huge_pages);
+        let no_memory = |_| BuildError::TooManyTets { tets: 0 };
+        let mut tets = try_vec_with_capacity(room, options.huge_pages).map_err(no_memory)?;
         tets.extend_from_slice(&mesh.tets);
-        let mut spheres = vec_with_capacity(room, options.huge_pages);
+        let mut spheres = try_vec_with_capacity(room, options.huge_pages).map_err(no_memory)?;
         spheres.extend(tets.iter().map(|tet| sphere_of(&sites, tet)));
         let nowhere = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (least, greatest) = points
             .iter()
             .fold(nowhere, |(low, high), &p| (low.min(p), high.max(p)));
-        Self {
+        Ok(Self {
             tets,
             spheres,
             sites,
@@ -130,7 +134,7 @@ impl Growth {
             last: TetId::new(0),
             done: 4,
             duplicates: Vec::new(),
-        }
+        })
     }
 
     /// Whether `v` was there from the start.
@@ -163,9 +167,10 @@ impl Growth {
     ) -> Result<(), BuildError> {
         let mut rest = points;
         while !rest.is_empty() {
-            self.refresh_stamps(rest.len());
+            let some = &rest[..rest.len().min(MOST_POINTS)];
+            self.refresh_stamps(some.len());
             let mut inserter: Inserter<false> = self.inserter(0);
-            let outcome = inserter.insert_while_room(rest, meter, &mut self.duplicates);
+            let outcome = inserter.insert_while_room(some, meter, &mut self.duplicates);
             self.free = inserter.free;
             self.stamp = inserter.stamp;
             self.last = inserter.last;
@@ -174,8 +179,10 @@ impl Growth {
             let done = outcome?;
             self.done += done;
             rest = &rest[done..];
-            if !rest.is_empty() {
-                self.make_room(self.tets.len() / 2 + SLACK)?;
+            if done < some.len() {
+                // More than there is, in case one star alone needs it.
+                let free = self.tets.capacity().min(self.spheres.capacity()) - self.tets.len();
+                self.make_room(free + self.tets.len() / 2 + SLACK)?;
             }
         }
         Ok(())
@@ -183,24 +190,28 @@ impl Growth {
 
     /// Inserters for parts with these numbers of points, with slots for as many tetrahedra as points had
     /// so far, and some more.
-    pub(super) fn inserters(&mut self, sizes: &[usize]) -> Result<Vec<Inserter<true>>, BuildError> {
+    pub(super) fn inserters(&mut self, sizes: &[usize]) -> Vec<Inserter<true>> {
         self.refresh_stamps(sizes.iter().sum());
         let per_point = 1.03 * self.tets.len() as f64 / self.done as f64;
         let slots = |points: usize| (per_point * points as f64) as usize + SLACK;
-        self.make_room(sizes.iter().map(|&points| slots(points)).sum())?;
+        let wanted: usize = sizes.iter().map(|&points| slots(points)).sum();
+        // Where there is less room than wanted, points come late, and what is too much then is an error.
+        let _ = self.make_room(wanted.min(TetId::LIMIT - self.tets.len()));
+        let room = self.tets.capacity().min(self.spheres.capacity());
+        let room = room.min(TetId::LIMIT);
         let (mut start, mut stamp) = (self.tets.len(), self.stamp);
         let free = std::mem::take(&mut self.free);
         let mut shares = free.chunks(free.len() / sizes.len() + 1);
         let parts = sizes.iter().enumerate().map(|(part, &points)| {
             let mut inserter = self.inserter(part as u16);
             inserter.free = shares.next().unwrap_or_default().to_vec();
-            inserter.fresh = start..start + slots(points);
+            inserter.fresh = start.min(room)..(start + slots(points)).min(room);
             inserter.stamp = stamp;
             start += slots(points);
             stamp += 2 * points as u32;
             inserter
         });
-        Ok(parts.collect())
+        parts.collect()
     }
 
     /// Takes over what the parts have done: `done` points are in.

@@ -38,7 +38,7 @@ pub(super) struct Inserter<const SHARED: bool> {
     pub(super) free: Vec<TetId>,
     /// Twice the number of the last insertion.
     pub(super) stamp: u32,
-    /// Whether [`last`](Self::last) is a tetrahedron of this part.
+    /// Whether [`last`](Self::last) is a tetrahedron with two corners of this part or more.
     pub(super) has_start: bool,
     /// Where the next walk starts.
     pub(super) last: TetId,

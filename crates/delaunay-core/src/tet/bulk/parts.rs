@@ -7,7 +7,7 @@
 //!
 //! Which points are late depends on the number of parts but not on time, so neither do the ids.
 
-use super::growth::Growth;
+use super::growth::{Growth, MOST_POINTS};
 use super::inserter::{Inserter, Outcome};
 use crate::error::BuildError;
 use crate::ids::{TetId, VertexId};
@@ -74,7 +74,7 @@ impl Growth {
             let count = threads.min(points.len() / LEAST_POINTS);
             let count = count.min(Order::STRETCHES / 2);
             // Before the first round is in, cavities reach across everything.
-            if count < 2 || round == 0 {
+            if count < 2 || round == 0 || points.len() > MOST_POINTS {
                 break;
             }
             points = self.insert_in_parts(order, round, &parts(count, shift), &points, meter)?;
@@ -95,7 +95,7 @@ impl Growth {
         self.mark_parts(order, round, parts);
         let plan = Plan {
             stretches: &order.stretches[round],
-            anchors: self.anchors(order, round),
+            anchors: self.anchors(order, round, parts),
             cancelled: AtomicBool::new(false),
         };
         let count = usize::from(parts.iter().copied().max().unwrap_or(0)) + 1;
@@ -104,7 +104,7 @@ impl Growth {
             shares[usize::from(self.part_of(v))].push(v);
         }
         let sizes: Vec<usize> = shares.iter().map(Vec::len).collect();
-        let inserters = self.inserters(&sizes)?;
+        let inserters = self.inserters(&sizes);
         let mut tasks: Vec<Task> = inserters
             .into_iter()
             .zip(shares)
@@ -130,14 +130,19 @@ impl Growth {
     }
 
     /// For each stretch, if one is found, a tetrahedron whose real corners are all in its part.
-    fn anchors(&self, order: &Order, round: usize) -> Anchors {
+    fn anchors(&self, order: &Order, round: usize, parts: &Parts) -> Anchors {
         let mut anchors = [None; Order::STRETCHES];
         let step = (self.tets().len() / (TRIES * Order::STRETCHES)).max(1);
         for (slot, tet) in self.tets().iter().enumerate().step_by(step) {
             let [first, rest @ ..] = tet.vertex;
             let is_real = !first.is_ghost() && !rest[2].is_ghost();
-            if is_real && rest.iter().all(|&v| self.part_of(v) == self.part_of(first)) {
-                anchors[stretch_of(order, round, first)] = Some(TetId::from_raw(slot as u32));
+            if !is_real || rest.iter().any(|&v| self.part_of(v) != self.part_of(first)) {
+                continue;
+            }
+            let stretch = stretch_of(order, round, first);
+            // The first four vertices may be of a round to come, on no stretch yet.
+            if parts[stretch] == self.part_of(first) {
+                anchors[stretch] = Some(TetId::from_raw(slot as u32));
             }
         }
         anchors

@@ -109,6 +109,9 @@ impl<const SHARED: bool> Inserter<SHARED> {
     /// As [`dig`](Self::dig).
     #[target_feature(enable = "avx2,fma,popcnt")]
     pub(super) fn dig_wide(&mut self, p: DVec3, seed: TetId) -> bool {
+        if SHARED && !self.owns(seed) {
+            return false;
+        }
         self.open(seed);
         let place = broadcast(p);
         let inside = _mm_set1_epi32((self.stamp + 1) as i32);

@@ -63,8 +63,9 @@ impl Bulk {
                 rounds.insert_in_parts(round, parts, least_share, meter)?;
             }
         }
+        assert_eq!(rounds.done, coords.len() - 1, "a vertex was left out");
         let duplicates = rounds.alone.duplicates;
-        // SAFETY: the first three vertices have written four faces, each other vertex its two.
+        // SAFETY: the first three vertices have written four faces, each other vertex its two: all are done.
         unsafe { faces.set_len(count) };
         Ok(Self { faces, duplicates })
     }
@@ -237,6 +238,18 @@ mod tests {
     #[test]
     fn scattered_points_have_one_triangulation_for_any_number_of_threads() {
         assert_same_on_all_threads(&scattered(20_000));
+    }
+
+    /// More than two rounds, of which the one in the middle once lost points.
+    #[test]
+    fn many_points_have_one_triangulation_for_any_number_of_threads() {
+        for turn in 0..6 {
+            let turn = DVec2::from_angle(f64::from(turn));
+            let points: Vec<DVec2> = scattered(70_000).iter().map(|&p| turn.rotate(p)).collect();
+            let [alone, together] = [1, 3].map(|threads| built(&points, threads));
+            assert_eq!(together.mesh.check(), Ok(()));
+            assert!(together.mesh.canonical() == alone.mesh.canonical());
+        }
     }
 
     #[test]
