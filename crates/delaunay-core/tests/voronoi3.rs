@@ -81,6 +81,38 @@ fn cells_tile_the_window_and_contain_their_vertices() {
     }
 }
 
+/// The cell of a pole has a face for every point of the ring, and their planes meet in one point nearly: corners
+/// above a plane once seemed not to hang together there, and some of them stayed.
+#[test]
+fn large_cells_with_an_apex_tile_the_window() {
+    for count in [200, 400, 700] {
+        let angle = |i: u32| f64::from(i) / f64::from(count) * std::f64::consts::TAU;
+        let ring = (0..count).map(|i| dvec3(angle(i).cos(), angle(i).sin(), 0.0));
+        let points: Vec<DVec3> = ring.chain([DVec3::Z, -DVec3::Z]).collect();
+        let delaunay = Delaunay3::build(&points).unwrap();
+        let window = ConvexPolyhedron::cuboid(DVec3::splat(-3.0), DVec3::splat(3.0)).unwrap();
+        let mut carver = delaunay.voronoi().carver(&window);
+        let sum: f64 = delaunay.vertices().map(|v| carver.cell(v).volume()).sum();
+        assert!((sum / 216.0 - 1.0).abs() < 1e-12, "{count}: {sum}");
+    }
+}
+
+/// Points a few units in the last place apart, amid others.
+#[test]
+fn cells_of_an_ulp_cluster_amid_others_tile_the_window() {
+    for seed in 0..20 {
+        let cluster = uniform(100, 1000 + seed).into_iter();
+        let cluster = cluster.map(|p| DVec3::ONE + (p * 6.0).floor() * f64::EPSILON);
+        let others = uniform(100, seed).into_iter().map(|p| p * 2.0);
+        let points: Vec<DVec3> = cluster.chain(others).collect();
+        let delaunay = Delaunay3::build(&points).unwrap();
+        let window = ConvexPolyhedron::cuboid(DVec3::ZERO, DVec3::splat(2.0)).unwrap();
+        let mut carver = delaunay.voronoi().carver(&window);
+        let sum: f64 = delaunay.vertices().map(|v| carver.cell(v).volume()).sum();
+        assert!((sum / 8.0 - 1.0).abs() < 1e-12, "{seed}: {sum}");
+    }
+}
+
 #[test]
 fn the_cells_of_a_lattice_are_cubes() {
     let delaunay = Delaunay3::build(&lattice([5, 4, 6])).unwrap();
@@ -155,7 +187,7 @@ fn neighbours_share_a_face() {
                 let spread =
                     p.distance(q) / least_distance(&delaunay, u).min(least_distance(&delaunay, v));
                 assert!(
-                    (area - face.area()).abs() < 1e-14 * spread * surface,
+                    (area - face.area()).abs() < 4e-14 * spread * surface,
                     "{name}: {u} {v}"
                 );
                 if let Some(back) = back {

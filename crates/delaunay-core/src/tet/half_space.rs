@@ -81,6 +81,35 @@ impl HalfSpace {
         x.dot(self.normal) - self.limit
     }
 
+    /// The [height](Self::height) of `x`; 0 when rounding may have moved `x` or the plane by as much.
+    ///
+    /// Planes that coincide up to rounding then do not cut each other: where they did, faces would lie one upon
+    /// the other, and signs of heights would contradict each other by more than rounding later.
+    #[inline]
+    pub(super) fn rise(&self, x: DVec3) -> f64 {
+        const ROUNDING: f64 = 1.0 / (1_u64 << 46) as f64;
+        let height = self.height(x);
+        if height.abs() > ROUNDING * self.size_at(x) {
+            height
+        } else {
+            0.0
+        }
+    }
+
+    /// Whether `x`, a corner of a polyhedron, may be in the plane or above it; of a polyhedron with many corners close
+    /// together, where they are known less well.
+    #[inline]
+    pub(super) fn may_reach(&self, x: DVec3) -> bool {
+        const ROUNDING: f64 = 1.0 / (1_u64 << 36) as f64;
+        self.height(x) > -ROUNDING * self.size_at(x)
+    }
+
+    /// The size of the terms of which the height of `x` is the sum.
+    #[inline]
+    fn size_at(&self, x: DVec3) -> f64 {
+        x.abs().dot(self.normal.abs()) + self.limit.abs()
+    }
+
     /// The same half-space in coordinates relative to `origin`.
     pub(super) fn seen_from(&self, origin: DVec3) -> Self {
         Self {

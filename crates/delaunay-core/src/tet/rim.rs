@@ -1,6 +1,7 @@
 //! Which corners of a polyhedron a half-space removes, and the rim round them.
 //!
-//! Each corner is judged once, by the sign of its rounded height over the plane; a corner in the plane stays.
+//! Each corner is judged once, by the sign of its rounded height over the plane; a corner in the plane stays, and so does
+//! one so near that rounding may have lifted it out.
 //!
 //! ```text
 //!          removed                     On the way round the rim the removed corners are on the
@@ -67,7 +68,7 @@ impl Clipper {
         let corners = polyhedron.corners.iter();
         self.heights.clear();
         self.heights
-            .extend(corners.map(|corner| plane.height(corner.place)));
+            .extend(corners.map(|corner| plane.rise(corner.place)));
         self.all_judged = true;
         self.lowest = self.heights.iter().copied().fold(f64::INFINITY, f64::min);
         self.list_removed();
@@ -114,12 +115,13 @@ impl Clipper {
     }
 
     /// Goes down from a corner above the plane to all others that are above.
+    ///
+    /// Where corners crowd at an apex of the polyhedron, rounding puts some of them below the plane that others
+    /// above are behind. So the way goes on over corners in the plane up to rounding.
     fn descend(&mut self, polyhedron: &ConvexPolyhedron, plane: &HalfSpace, summit: usize) {
         self.judge_one(polyhedron, plane, summit);
-        let mut next = 0;
-        while let Some(&slot) = self.removed.get(next) {
-            next += 1;
-            for twin in polyhedron.corners[slot as usize].twins {
+        while let Some(slot) = self.pending.pop() {
+            for twin in polyhedron.corners[slot].twins {
                 self.judge_one(polyhedron, plane, twin.corner());
             }
         }
@@ -130,12 +132,21 @@ impl Clipper {
         if self.heights[slot] != 0.0 {
             return;
         }
-        let height = plane.height(polyhedron.corners[slot].place);
-        self.heights[slot] = height;
-        self.judged.push(slot as u32);
+        let place = polyhedron.corners[slot].place;
+        let height = plane.rise(place);
         self.lowest = self.lowest.min(height);
+        // Height 0 says that a corner was not looked at.
+        self.heights[slot] = if height == 0.0 {
+            -f64::MIN_POSITIVE
+        } else {
+            height
+        };
+        self.judged.push(slot as u32);
         if height > 0.0 {
             self.removed.push(slot as u32);
+        }
+        if plane.may_reach(place) {
+            self.pending.push(slot);
         }
     }
 
