@@ -44,7 +44,7 @@ struct Common {
     /// Say nothing but errors
     #[arg(short, long)]
     quiet: bool,
-    /// Most threads to use; the result is the same for every number
+    /// Most threads to use, at most one for each core; the result is the same for every number
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
     /// Write what was made, its quality and how long it took as JSON
