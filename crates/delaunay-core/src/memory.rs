@@ -98,7 +98,7 @@ mod tests {
             for huge_pages in [false, true] {
                 let mut numbers: Vec<u64> = vec_with_capacity(count, huge_pages);
                 numbers.extend(0..count as u64);
-                assert!(numbers.capacity() >= count);
+                assert_eq!(numbers.capacity(), count);
                 assert!(numbers.iter().enumerate().all(|(i, &n)| n == i as u64));
             }
         }

@@ -187,7 +187,7 @@ fn neighbours_share_a_face() {
                 let spread =
                     p.distance(q) / least_distance(&delaunay, u).min(least_distance(&delaunay, v));
                 assert!(
-                    (area - face.area()).abs() < 4e-14 * spread * surface,
+                    (area - face.area()).abs() < 1e-14 * spread * surface,
                     "{name}: {u} {v}"
                 );
                 if let Some(back) = back {

@@ -87,7 +87,7 @@ impl HalfSpace {
     /// the other, and signs of heights would contradict each other by more than rounding later.
     #[inline]
     pub(super) fn rise(&self, x: DVec3) -> f64 {
-        const ROUNDING: f64 = 1.0 / (1_u64 << 46) as f64;
+        const ROUNDING: f64 = 1.0 / (1_u64 << 47) as f64;
         let height = self.height(x);
         if height.abs() > ROUNDING * self.size_at(x) {
             height
