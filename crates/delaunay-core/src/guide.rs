@@ -26,16 +26,9 @@ pub(crate) struct Guide {
 impl Guide {
     /// Takes note that a vertex has come, gone or moved.
     pub(crate) fn note_change(&mut self) {
-        self.changes += 1;
-        if self
-            .tree
-            .get()
-            .is_some_and(|tree| self.changes > tree.lifetime())
-        {
-            self.tree.take();
-        }
-        if self.tree.get().is_none() {
-            self.changes = 0;
+        match self.tree.get() {
+            Some(tree) if self.changes < tree.lifetime() => self.changes += 1,
+            _ => *self = Self::default(),
         }
     }
 

@@ -3,5 +3,5 @@
 mod lanes;
 mod table;
 
-pub(crate) use lanes::{MAX_BITS as MAX_BITS_IN_PLANE, places_in_plane};
+pub(crate) use lanes::{MAX_BITS_IN_PLANE, places_in_plane};
 pub(crate) use table::SPACE;

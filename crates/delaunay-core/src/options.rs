@@ -40,9 +40,7 @@ impl BuildOptions {
     pub fn on_all_cores() -> Self {
         Self::on_threads(std::thread::available_parallelism().map_or(1, NonZeroUsize::get))
     }
-}
 
-impl BuildOptions {
     /// These options for so many points: with no more threads than parts that the points can be cut into.
     pub(crate) fn for_points(self, count: usize) -> Self {
         let parts = (count / LEAST_POINTS + 1).min(Order::STRETCHES / 2);

@@ -2,7 +2,8 @@
 
 use rayon::prelude::*;
 
-/// Runs `work` on every task, at the same time as far as the current pool has threads; a single task stays on the caller's thread.
+/// Runs `work` on every task, at the same time as far as the current pool has threads; a single task stays
+/// on the caller's thread.
 pub(crate) fn for_each<T: Send>(tasks: Vec<T>, work: impl Fn(T) + Sync + Send) {
     if tasks.len() > 1 {
         tasks.into_par_iter().with_max_len(1).for_each(work);

@@ -6,11 +6,11 @@
 //! commute, so two bits say what has become of the axes after any number of levels.
 
 /// The finest grid: 2^16 cells along each axis.
-pub(crate) const MAX_BITS: u32 = 16;
+pub(crate) const MAX_BITS_IN_PLANE: u32 = 16;
 
 /// The places of the cells in column `x[i]` and row `y[i]` of a grid of 2^bits columns and rows.
 ///
-/// `bits` is at most [`MAX_BITS`], and columns and rows are below 2^bits.
+/// `bits` is at most [`MAX_BITS_IN_PLANE`], and columns and rows are below 2^bits.
 #[inline(always)]
 pub(crate) fn places_in_plane<const LANES: usize>(
     x: [u32; LANES],
@@ -81,9 +81,10 @@ mod tests {
         let number = |i: u32| (i.wrapping_mul(2_654_435_761) >> 16) & 0xFFFF;
         for i in 0..1000 {
             let (x, y) = (number(2 * i), number(2 * i + 1));
-            let [fine] = places_in_plane([x], [y], MAX_BITS);
-            for level in (0..MAX_BITS).step_by(2) {
-                let [coarse] = places_in_plane([x >> level], [y >> level], MAX_BITS - level);
+            let [fine] = places_in_plane([x], [y], MAX_BITS_IN_PLANE);
+            for level in (0..MAX_BITS_IN_PLANE).step_by(2) {
+                let [coarse] =
+                    places_in_plane([x >> level], [y >> level], MAX_BITS_IN_PLANE - level);
                 assert_eq!(u64::from(fine) >> (2 * level), u64::from(coarse));
             }
         }

@@ -24,8 +24,7 @@ impl KeyLayout {
         let round_bits = u32::BITS - last_round.leading_zeros();
         let index_bits = (usize::BITS - count.leading_zeros()).max(1);
         let room = (u64::BITS - round_bits - index_bits) / P::AXES;
-        let (finest, step) = P::GRID_BITS;
-        let grid_bits = room.min(finest) / step * step;
+        let grid_bits = room.min(P::MAX_GRID_BITS) / P::LEVELS * P::LEVELS;
         Self {
             index_bits,
             grid_bits,

@@ -15,8 +15,10 @@ impl Spatial for DVec3 {}
 pub trait OnCurve: Copy + Send + Sync + Index<usize, Output = f64> {
     /// Coordinates of a point.
     const AXES: u32;
-    /// Bits of the finest grid are at most this many, and a multiple of that.
-    const GRID_BITS: (u32, u32);
+    /// The most bits per axis that a grid has.
+    const MAX_GRID_BITS: u32;
+    /// Levels of the curve that are found in one step; the bits of a grid are a multiple of this.
+    const LEVELS: u32;
     /// About the size of the first round.
     const FIRST_ROUND: usize;
     /// The bounding box of nothing: its low and its high corner.
@@ -37,7 +39,8 @@ pub trait OnCurve: Copy + Send + Sync + Index<usize, Output = f64> {
 
 impl OnCurve for DVec2 {
     const AXES: u32 = 2;
-    const GRID_BITS: (u32, u32) = (MAX_BITS_IN_PLANE, 1);
+    const MAX_GRID_BITS: u32 = MAX_BITS_IN_PLANE;
+    const LEVELS: u32 = 1;
     const FIRST_ROUND: usize = 1000;
     const NOWHERE: [Self; 2] = [Self::INFINITY, Self::NEG_INFINITY];
 
@@ -65,7 +68,8 @@ impl OnCurve for DVec2 {
 
 impl OnCurve for DVec3 {
     const AXES: u32 = 3;
-    const GRID_BITS: (u32, u32) = (20, SPACE.levels());
+    const MAX_GRID_BITS: u32 = 20;
+    const LEVELS: u32 = SPACE.levels();
     const FIRST_ROUND: usize = 2000;
     const NOWHERE: [Self; 2] = [Self::INFINITY, Self::NEG_INFINITY];
 

@@ -51,6 +51,14 @@ impl TetMesh {
             }
             self.settle(t);
         }
+        debug_assert!(
+            cavity
+                .tets
+                .iter()
+                .flat_map(|t| t.facets())
+                .all(|f| self.twin(f) != f),
+            "the boundary of a cavity is closed"
+        );
         true
     }
 

@@ -14,10 +14,9 @@ impl<const SHARED: bool> Inserter<SHARED> {
     /// sides of its boundary; answers `false` when the cavity leaves the part.
     #[inline(always)]
     pub(super) fn dig(&mut self, p: DVec3, seed: TetId) -> bool {
-        if SHARED && !self.owns(seed) {
+        if !self.open(seed) {
             return false;
         }
-        self.open(seed);
         let inside = self.stamp + 1;
         let mut next = 0;
         while next < self.dug.len() {
@@ -51,9 +50,12 @@ impl<const SHARED: bool> Inserter<SHARED> {
         true
     }
 
-    /// Starts a cavity with `seed`.
+    /// Starts a cavity with `seed`; answers `false`, with nothing written, when it is not of the part.
     #[inline(always)]
-    pub(super) fn open(&mut self, seed: TetId) {
+    pub(super) fn open(&mut self, seed: TetId) -> bool {
+        if SHARED && !self.owns(seed) {
+            return false;
+        }
         self.stamp += 2;
         self.dug.clear();
         self.outer.clear();
@@ -61,6 +63,7 @@ impl<const SHARED: bool> Inserter<SHARED> {
         self.make_room();
         self.dug.push_if(true, seed);
         self.arena.set_stamp(seed, self.stamp + 1);
+        true
     }
 
     /// Makes room for the neighbours of one more tetrahedron, written eight at a time.
@@ -81,16 +84,16 @@ impl<const SHARED: bool> Inserter<SHARED> {
         if stamp == self.stamp {
             return (false, stamp);
         }
-        match self.asked(t, p) {
+        match self.in_conflict(t, p) {
             true => (true, stamp),
             false => (false, self.stamp),
         }
     }
 
-    /// Whether `t`, whatever is known of it, is in the cavity of `p`.
+    /// Whether `p` is in conflict with `t`, by the exact predicate.
     #[cold]
     #[inline(never)]
-    pub(super) fn asked(&self, t: TetId, p: DVec3) -> bool {
+    pub(super) fn in_conflict(&self, t: TetId, p: DVec3) -> bool {
         let sight = Sight3::new(self.arena, self.filter, p);
         let tet = self.arena.tet(t);
         let behind = || self.arena.tet(tet.twin[3].tet()).vertex;

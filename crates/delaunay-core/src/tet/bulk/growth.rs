@@ -181,7 +181,7 @@ impl Growth {
             rest = &rest[done..];
             if done < some.len() {
                 // More than there is, in case one star alone needs it.
-                let free = self.tets.capacity().min(self.spheres.capacity()) - self.tets.len();
+                let free = self.room() - self.tets.len();
                 self.make_room(free + self.tets.len() / 2 + SLACK)?;
             }
         }
@@ -196,9 +196,8 @@ impl Growth {
         let slots = |points: usize| (per_point * points as f64) as usize + SLACK;
         let wanted: usize = sizes.iter().map(|&points| slots(points)).sum();
         // Where there is less room than wanted, points come late, and what is too much then is an error.
-        let _ = self.make_room(wanted.min(TetId::LIMIT - self.tets.len()));
-        let room = self.tets.capacity().min(self.spheres.capacity());
-        let room = room.min(TetId::LIMIT);
+        let _ = self.make_room(wanted);
+        let room = self.room().min(TetId::LIMIT);
         let (mut start, mut stamp) = (self.tets.len(), self.stamp);
         let free = std::mem::take(&mut self.free);
         let mut shares = free.chunks(free.len() / sizes.len() + 1);
@@ -289,10 +288,15 @@ impl Growth {
         }
     }
 
+    /// The slots that there is memory for.
+    fn room(&self) -> usize {
+        self.tets.capacity().min(self.spheres.capacity())
+    }
+
     /// Makes room for so many tetrahedra more.
     fn make_room(&mut self, more: usize) -> Result<(), BuildError> {
         let tets = self.tets.len();
-        let room = self.tets.capacity().min(self.spheres.capacity()) - tets;
+        let room = self.room() - tets;
         if more <= room {
             return Ok(());
         }

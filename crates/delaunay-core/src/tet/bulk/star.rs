@@ -1,4 +1,5 @@
-//! The star of a new vertex in a bulk build: links by a small table, and its spheres one by one; the wide loops make four at a time.
+//! The star of a new vertex in a bulk build: links by a small table, spheres one by one (four at a time in the
+//! wide loops).
 //!
 //! The vertices of the link get small numbers as they are met, kept in their marks, and the directed
 //! edges of the link a place in a square table of those numbers: three stores and three loads glue a

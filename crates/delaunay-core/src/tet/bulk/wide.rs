@@ -109,10 +109,9 @@ impl<const SHARED: bool> Inserter<SHARED> {
     /// As [`dig`](Self::dig).
     #[target_feature(enable = "avx2,fma,popcnt")]
     pub(super) fn dig_wide(&mut self, p: DVec3, seed: TetId) -> bool {
-        if SHARED && !self.owns(seed) {
+        if !self.open(seed) {
             return false;
         }
-        self.open(seed);
         let place = broadcast(p);
         let inside = _mm_set1_epi32((self.stamp + 1) as i32);
         let corners = _mm_set_epi32(3, 2, 1, 0);
@@ -193,9 +192,9 @@ impl<const SHARED: bool> Inserter<SHARED> {
             let known = _mm_cmpeq_epi32(*stamps, _mm_set1_epi32(stamp as i32));
             _mm_movemask_ps(_mm_castsi128_ps(known)) as u32
         };
-        let (outside, inside) = (stamped(self.stamp), stamped(self.stamp + 1));
-        let mut kept = doubt & inside;
-        let mut open = doubt & !(outside | inside);
+        let (left_out, taken) = (stamped(self.stamp), stamped(self.stamp + 1));
+        let mut kept = doubt & taken;
+        let mut open = doubt & !(left_out | taken);
         let mut lanes = from_lanes(*stamps);
         while open != 0 {
             let i = open.trailing_zeros() as usize % 4;
@@ -214,7 +213,7 @@ impl<const SHARED: bool> Inserter<SHARED> {
     fn ask_in_doubled(&self, t: TetId, p: DVec3) -> bool {
         let corners = self.arena.tet(t).vertex;
         if corners[3].is_ghost() {
-            return self.asked(t, p);
+            return self.in_conflict(t, p);
         }
         let sight = Sight3::new(self.arena, self.filter, p);
         sight.in_real_conflict_or(corners, |corners, p| doubled::in_sphere(corners, p))

@@ -23,7 +23,7 @@ const TRIALS: usize = 16;
 /// Vertices of one part and the thread that inserts them.
 ///
 /// Shares lie side by side and change with every point; in cache lines of their own, no thread waits for the other
-/// (a third of the time of two threads otherwise).
+/// (a sixth of the time of two threads otherwise).
 #[repr(align(128))]
 pub(super) struct Share<'a, I: Iterator<Item = VertexId>> {
     worker: Worker<'a, Stretches<'a>>,
