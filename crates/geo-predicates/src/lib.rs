@@ -46,6 +46,10 @@
 //!
 //!                      power_circle(a, b, c, d), power_sphere(a, b, c, d, e)
 //!                      Positive: the last is below the others, lifted to |p|^2 - weight
+//!
+//!        \  | /        meet_in_front([p, q, r], s)
+//!      ---\-|/---s     Positive: the common point of the planes p, q, r is in front of s
+//!         p\q/r
 //! ```
 //!
 //! Ties of in-circle, in-sphere and power tests are broken in [`perturb`]; orientation never is.
@@ -80,6 +84,7 @@ mod diametral;
 mod few_bits;
 mod grid;
 mod in_ball;
+mod meet;
 mod orient;
 mod power;
 mod sign;
@@ -93,6 +98,7 @@ pub use coordinate::{
 pub use diametral::{in_diametral_ball, in_diametral_circle, in_diametral_sphere};
 pub use glam::{DVec2, DVec3};
 pub use in_ball::{in_circle, in_sphere};
+pub use meet::{Plane, meet_in_front, meet_place};
 pub use orient::{orient2d, orient3d};
 pub use perturb::{
     Lexicographic2, Lexicographic3, cocircular_inside, in_circle_perturbed, in_circle_perturbed_by,

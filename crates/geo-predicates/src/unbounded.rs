@@ -25,13 +25,13 @@ pub(crate) fn integers_and_weights<const N: usize, const M: usize>(
 }
 
 /// `value` divided by 2^`exponent`, which must divide it.
-fn scaled(value: f64, exponent: i32) -> BigInt {
+pub(crate) fn scaled(value: f64, exponent: i32) -> BigInt {
     let (mantissa, own) = decode(value);
     BigInt::from(mantissa) << (own - exponent).max(0) as usize
 }
 
 /// Exponent of the least significant bit that some of the values has; 0 if all are zero.
-fn least_exponent(values: &[f64]) -> i32 {
+pub(crate) fn least_exponent(values: &[f64]) -> i32 {
     let exponents = values.iter().map(|&value| decode(value));
     exponents
         .filter(|part| part.0 != 0)
@@ -82,6 +82,12 @@ pub(crate) fn dot<const N: usize>(a: &[BigInt; N], b: &[BigInt; N]) -> BigInt {
 /// Coordinate differences `a - b`.
 pub(crate) fn minus<const N: usize>(a: &[BigInt; N], b: &[BigInt; N]) -> [BigInt; N] {
     std::array::from_fn(|i| &a[i] - &b[i])
+}
+
+/// Vector product.
+pub(crate) fn cross3(a: &[BigInt; 3], b: &[BigInt; 3]) -> [BigInt; 3] {
+    let minor = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 /// Determinant of the rows `a`, `b`, `c`.

@@ -5,7 +5,7 @@
 //! where the bisectors round least.
 
 use super::delaunay::Delaunay3;
-use super::half_space::HalfSpace;
+use super::face_plane::FacePlane;
 use super::polyhedron::{ConvexPolyhedron, Side};
 use super::rim::Clipper;
 use crate::ids::{TetId, VertexId};
@@ -53,15 +53,17 @@ impl<'a> CellCarver<'a> {
     }
 
     fn carve(&mut self, v: VertexId) {
+        /// Twice the reach, squared, and some for rounding.
+        const FAR: f64 = 4.0 + 1e-9;
         let center = self.delaunay.point(v);
         self.cell.assign(self.window, center);
         self.neighbors.gather(self.delaunay, v);
         let mut reach = Reach::of(&self.cell);
         for &(squared_distance, u) in &self.neighbors.nearest_first {
-            if squared_distance > 4.0 * reach.squared {
+            if squared_distance > FAR * reach.squared {
                 break;
             }
-            let bisector = HalfSpace::nearer_to_origin(self.delaunay.point(u) - center);
+            let bisector = FacePlane::bisector(center, self.delaunay.point(u), center);
             if self
                 .cell
                 .cut(&bisector, Side::Neighbor(u), &mut self.clipper)

@@ -2,12 +2,13 @@
 //!
 //! On a convex surface the way up ends at the highest corner. The climb starts from the best of about the cube
 //! root of n corners, so it takes about as many steps; looking at all n corners for each of n planes
-//! would take quadratic time. Where corners share a place, or rounding has made a hollow, the way up may lead
-//! over corners that are not higher; so before a corner counts as a summit, all that are lower by no more
-//! than rounding are looked at, and their neighbours.
+//! would take quadratic time. It goes by rounded heights, so its end need not be the summit; but from there a way up by
+//! exact heights leads to it over corners that are lower by no more than rounding. All of those are
+//! looked at, and judged exactly, before the plane counts as above the polyhedron.
 
-use super::half_space::HalfSpace;
+use super::face_plane::FacePlane;
 use super::polyhedron::{ConvexPolyhedron, End};
+use geo_predicates::Sign;
 use rustc_hash::FxHashSet;
 
 /// Where the highest corner over a plane is.
@@ -15,29 +16,24 @@ use rustc_hash::FxHashSet;
 pub(super) enum Summit {
     /// This corner is above the plane; it need not be the highest.
     Above(usize),
-    /// All corners are below.
-    Below,
-    /// The highest corner is as near to the plane as rounding may have put it there.
-    Unclear,
+    /// No corner is above.
+    NotAbove,
 }
 
-/// Heights up to this share of the coordinates count as equal.
-const ROUNDING: f64 = 1.0 / (1_u64 << 40) as f64;
-
 impl Summit {
-    pub(super) fn climb(polyhedron: &ConvexPolyhedron, plane: &HalfSpace) -> Self {
+    /// Exactly so.
+    pub(super) fn climb(polyhedron: &ConvexPolyhedron, plane: &FacePlane) -> Self {
         let slope = Slope { polyhedron, plane };
         let Some(mut here) = slope.start() else {
-            return Self::Below;
+            return Self::NotAbove;
         };
         loop {
-            if slope.height(here) > 0.0 {
+            if slope.is_above(here) {
                 return Self::Above(here);
             }
             match slope.up(here).or_else(|| slope.out_of_hollow(here)) {
                 Some(next) => here = next,
-                None if slope.height(here) < -slope.rounding(here) => return Self::Below,
-                None => return Self::Unclear,
+                None => return Self::NotAbove,
             }
         }
     }
@@ -46,18 +42,22 @@ impl Summit {
 /// The surface of a polyhedron as seen from a plane.
 struct Slope<'a> {
     polyhedron: &'a ConvexPolyhedron,
-    plane: &'a HalfSpace,
+    plane: &'a FacePlane,
 }
 
 impl Slope<'_> {
+    fn is_above(&self, slot: usize) -> bool {
+        let corner = &self.polyhedron.corners[slot];
+        self.polyhedron.side_of_corner(corner, self.plane) == Sign::Positive
+    }
+
     fn height(&self, slot: usize) -> f64 {
         self.plane.height(self.polyhedron.corners[slot].place)
     }
 
-    /// How much of the height of a corner may be rounding.
-    fn rounding(&self, slot: usize) -> f64 {
-        let place = self.polyhedron.corners[slot].place;
-        ROUNDING * (place.abs().dot(self.plane.normal.abs()) + self.plane.limit.abs())
+    /// Bound on the error of a height.
+    fn blur(&self, slot: usize) -> f64 {
+        self.plane.blur_of_height(&self.polyhedron.corners[slot])
     }
 
     /// The highest of some corners.
@@ -73,17 +73,19 @@ impl Slope<'_> {
         highest.filter(|&next| self.height(next) > self.height(slot))
     }
 
-    /// A higher corner beyond others that are lower by no more than rounding.
+    /// A corner that is higher, or above the plane, beyond others that are lower by no more than rounding.
     fn out_of_hollow(&self, slot: usize) -> Option<usize> {
-        let floor = self.height(slot) - self.rounding(slot);
+        let floor = self.height(slot) - self.blur(slot);
         let mut seen = FxHashSet::from_iter([slot]);
         let mut pending = vec![slot];
         while let Some(near) = pending.pop() {
             for next in self.neighbors(near) {
-                if self.height(next) > self.height(slot) {
-                    return Some(next);
-                }
-                if self.height(next) >= floor && seen.insert(next) {
+                // False when a number is beyond the range of doubles.
+                let is_lower = self.height(next) + self.blur(next) < floor;
+                if !is_lower && seen.insert(next) {
+                    if self.height(next) > self.height(slot) || self.is_above(next) {
+                        return Some(next);
+                    }
                     pending.push(next);
                 }
             }
@@ -103,6 +105,7 @@ impl Slope<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tet::half_space::HalfSpace;
     use crate::tet::polyhedron::Side;
     use glam::{DVec3, dvec3};
 
@@ -118,16 +121,13 @@ mod tests {
         prism
     }
 
-    fn agrees(polyhedron: &ConvexPolyhedron, plane: &HalfSpace) -> bool {
-        let heights = polyhedron
-            .corners
-            .iter()
-            .map(|corner| plane.height(corner.place));
-        let highest = heights.fold(f64::NEG_INFINITY, f64::max);
-        match Summit::climb(polyhedron, plane) {
-            Summit::Above(slot) => plane.height(polyhedron.corners[slot].place) > 0.0,
-            Summit::Below => highest <= 0.0,
-            Summit::Unclear => highest.abs() < 1e-9,
+    fn agrees(polyhedron: &ConvexPolyhedron, half_space: &HalfSpace) -> bool {
+        let plane = FacePlane::of(half_space, polyhedron.origin);
+        let side = |slot: usize| polyhedron.side_of_corner(&polyhedron.corners[slot], &plane);
+        let some_above = (0..polyhedron.corners.len()).any(|slot| side(slot) == Sign::Positive);
+        match Summit::climb(polyhedron, &plane) {
+            Summit::Above(slot) => side(slot) == Sign::Positive,
+            Summit::NotAbove => !some_above,
         }
     }
 

@@ -52,14 +52,6 @@ impl HalfSpace {
         })
     }
 
-    /// The points that are not nearer to `other` than to the origin.
-    pub(super) fn nearer_to_origin(other: DVec3) -> Self {
-        Self {
-            normal: other,
-            limit: other.length_squared() / 2.0,
-        }
-    }
-
     /// The other side of the plane.
     #[must_use]
     pub fn complement(&self) -> Self {
@@ -73,49 +65,6 @@ impl HalfSpace {
     #[must_use]
     pub fn normal(&self) -> DVec3 {
         self.normal
-    }
-
-    /// How far `x` is beyond the plane, in units of the length of the normal; not positive inside.
-    #[inline]
-    pub(super) fn height(&self, x: DVec3) -> f64 {
-        x.dot(self.normal) - self.limit
-    }
-
-    /// The [height](Self::height) of `x`; 0 when rounding may have moved `x` or the plane by as much.
-    ///
-    /// Planes that coincide up to rounding then do not cut each other: where they did, faces would lie one upon
-    /// the other, and signs of heights would contradict each other by more than rounding later.
-    #[inline]
-    pub(super) fn rise(&self, x: DVec3) -> f64 {
-        const ROUNDING: f64 = 1.0 / (1_u64 << 47) as f64;
-        let height = self.height(x);
-        if height.abs() > ROUNDING * self.size_at(x) {
-            height
-        } else {
-            0.0
-        }
-    }
-
-    /// Whether `x`, a corner of a polyhedron, may be in the plane or above it; of a polyhedron with many corners close
-    /// together, where they are known less well.
-    #[inline]
-    pub(super) fn may_reach(&self, x: DVec3) -> bool {
-        const ROUNDING: f64 = 1.0 / (1_u64 << 36) as f64;
-        self.height(x) > -ROUNDING * self.size_at(x)
-    }
-
-    /// The size of the terms of which the height of `x` is the sum.
-    #[inline]
-    fn size_at(&self, x: DVec3) -> f64 {
-        x.abs().dot(self.normal.abs()) + self.limit.abs()
-    }
-
-    /// The same half-space in coordinates relative to `origin`.
-    pub(super) fn seen_from(&self, origin: DVec3) -> Self {
-        Self {
-            normal: self.normal,
-            limit: self.limit - self.normal.dot(origin),
-        }
     }
 }
 
@@ -136,17 +85,10 @@ mod tests {
     fn a_half_space_of_any_size_keeps_its_plane() {
         for size in [1.0, 1e-320, 1e300] {
             let half_space = HalfSpace::new(DVec3::X * size, 0.5 * size).unwrap();
-            let height = |x| half_space.height(x) / half_space.normal().length();
-            assert!((height(DVec3::X) - 0.5).abs() < 1e-3, "{size}");
-            assert!((height(DVec3::new(0.0, 7.0, 9.0)) + 0.5).abs() < 1e-3);
+            let HalfSpace { normal, limit } = half_space;
+            assert!((limit / normal.x - 0.5).abs() < 1e-3, "{size}");
+            assert_eq!((normal.y, normal.z), (0.0, 0.0));
         }
-    }
-
-    #[test]
-    fn a_plane_beyond_all_numbers_keeps_all_or_nothing() {
-        let far = |limit| HalfSpace::new(DVec3::X * 1e-300, limit).unwrap();
-        assert!(far(1e100).height(DVec3::splat(1e60)) < 0.0);
-        assert!(far(-1e100).height(DVec3::splat(-1e60)) > 0.0);
     }
 
     #[test]

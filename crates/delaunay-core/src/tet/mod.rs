@@ -11,7 +11,7 @@
 //! | points on a plane | `coplanar.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
 //! | the Voronoi diagram | `dual.rs`, `carve.rs` |
-//! | convex polyhedra | `polyhedron.rs`, `half_space.rs`, `clip.rs`, `rim.rs`, `climb.rs`, `face.rs`, `moments.rs` |
+//! | convex polyhedra | `polyhedron.rs`, `half_space.rs`, `face_plane.rs`, `clip.rs`, `rim.rs`, `climb.rs`, `face.rs`, `moments.rs` |
 //! | invariants | `check.rs` |
 
 mod around;
@@ -28,6 +28,7 @@ mod delaunay;
 mod dual;
 mod exchange;
 mod face;
+mod face_plane;
 mod flip;
 mod grow;
 mod half_space;

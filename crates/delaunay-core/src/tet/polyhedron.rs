@@ -12,6 +12,7 @@
 //!       /  f0  \
 //! ```
 
+use super::face_plane::FacePlane;
 use super::half_space::HalfSpace;
 use crate::ids::VertexId;
 use geo_predicates::{Axis, CoordinateError, check_points3};
@@ -71,6 +72,8 @@ pub enum PolyhedronError {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Corner {
     pub(super) place: DVec3,
+    /// Bound on the error of each coordinate.
+    pub(super) blur: f64,
     /// Counterclockwise seen from outside.
     pub(super) faces: [u32; 3],
     /// The other ends of the edges.
@@ -83,7 +86,7 @@ pub(super) struct End(u32);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Face {
-    pub(super) plane: HalfSpace,
+    pub(super) plane: FacePlane,
     pub(super) side: Side,
     /// A corner of the face; [`Face::LOST`] when it has none left.
     pub(super) corner: u32,
@@ -182,9 +185,12 @@ impl ConvexPolyhedron {
         self.faces.clone_from(&window.faces);
         for corner in &mut self.corners {
             corner.place -= offset;
+            // Of the offset and of the difference.
+            let sizes = offset.abs().max_element() + corner.place.abs().max_element();
+            corner.blur += f64::EPSILON * sizes;
         }
         for face in &mut self.faces {
-            face.plane = face.plane.seen_from(offset);
+            face.plane = face.plane.seen_from(origin);
         }
     }
 
@@ -224,6 +230,7 @@ fn cuboid_corner(bits: usize, low: DVec3, high: DVec3) -> Corner {
     };
     Corner {
         place: DVec3::from(place),
+        blur: 0.0,
         faces: axes.map(|axis| 2 * axis as u32 + u32::from(is_high(axis))),
         twins: axes.map(along),
     }
@@ -244,11 +251,12 @@ fn cuboid_face(number: usize, low: DVec3, high: DVec3) -> Face {
         0 => (-1.0, low[axis]),
         _ => (1.0, high[axis]),
     };
+    let half_space = HalfSpace {
+        normal: DVec3::AXES[axis] * sign,
+        limit: bound * sign,
+    };
     Face {
-        plane: HalfSpace {
-            normal: DVec3::AXES[axis] * sign,
-            limit: bound * sign,
-        },
+        plane: FacePlane::of(&half_space, DVec3::ZERO),
         side: Side::Window(number as u32),
         // The corner that is high along this axis alone, or low.
         corner: (number % 2) as u32 * (1 << axis),
