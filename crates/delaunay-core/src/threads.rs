@@ -25,3 +25,33 @@ pub(crate) fn map<T: Send, R: Send>(tasks: Vec<T>, work: impl Fn(T) -> R + Sync 
 pub(crate) fn share(count: usize, threads: usize) -> usize {
     count.div_ceil(threads.max(1)).max(1)
 }
+
+/// Makes each of `places` out of its source, in one share for each thread.
+pub(crate) fn fill<T: Send, S: Sync>(
+    places: &mut [T],
+    sources: &[S],
+    threads: usize,
+    make: impl Fn(&S) -> T + Sync + Send,
+) {
+    let share = share(places.len(), threads);
+    let shares = places.chunks_mut(share).zip(sources.chunks(share));
+    for_each(shares.collect(), |(places, sources)| {
+        for (place, source) in places.iter_mut().zip(sources) {
+            *place = make(source);
+        }
+    });
+}
+
+/// What `check` says of all `things`, which it looks at in one share for each thread.
+pub(crate) fn check<T: Sync, E: Send>(
+    things: &[T],
+    threads: usize,
+    check: impl Fn(&[T]) -> Result<(), E> + Sync + Send,
+) -> Result<(), E> {
+    let shares = things.chunks(share(things.len(), threads)).collect();
+    match map(shares, &check).iter().all(Result::is_ok) {
+        true => Ok(()),
+        // An error may name a place, and that of a share counts from the start of the share.
+        false => check(things),
+    }
+}

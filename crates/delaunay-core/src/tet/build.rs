@@ -15,6 +15,7 @@ use crate::memory::vec_with_capacity;
 use crate::options::BuildOptions;
 use crate::order::Order;
 use crate::progress::{Meter, Progress, silent};
+use crate::threads;
 use crate::tri::Duplicates;
 use geo_predicates::check_points3;
 use geo_predicates::filter::Filter3;
@@ -65,8 +66,8 @@ impl Delaunay3 {
                 limit: Self::MAX_POINTS,
             });
         }
-        check_points3(points)?;
         let options = options.for_points(points.len());
+        threads::check(points, options.threads.get(), check_points3)?;
         let mut meter = Meter::start(report, "tetrahedralize", points.len())?;
         Self::grow(points, options, &mut meter)
     }

@@ -17,8 +17,8 @@ use crate::options::BuildOptions;
 use crate::order::Order;
 use crate::progress::{Meter, Progress, silent};
 use crate::threads;
+use geo_predicates::check_points2;
 use geo_predicates::filter::Filter2;
-use geo_predicates::{CoordinateError, check_points2};
 use glam::DVec2;
 use std::ops::ControlFlow;
 
@@ -85,16 +85,21 @@ impl Delaunay2 {
             });
         }
         let options = options.for_points(points.len());
-        check_together(points, options)?;
+        let threads = options.threads.get();
+        threads::check(points, threads, check_points2)?;
         let mut meter = Meter::start(report, "triangulate", points.len())?;
         let mut order = Order::of(points, options);
-        let mut coords = in_order(points, &order.indices, options);
+        let mut coords = vec_of(DVec2::NAN, points.len() + 1, options.huge_pages);
+        // Adding zero makes `-0.0` to `0.0`.
+        threads::fill(&mut coords[1..], &order.indices, threads, |&index| {
+            points[index as usize] + DVec2::ZERO
+        });
         if !bring_triangle_to_front(&mut coords, &mut order.indices) {
             return Err(BuildError::Flat(Box::new(Flat::sorted(points))));
         }
         let bulk = Bulk::of(&coords, &order, options, LEAST_SHARE, &mut meter)?;
         let Finish { mesh, duplicates } = bulk.finish(&order.indices, options);
-        copy_points(&mut coords[1..], points, options);
+        threads::fill(&mut coords[1..], points, threads, |&p| p + DVec2::ZERO);
         Ok(Self {
             coords,
             mesh,
@@ -105,39 +110,4 @@ impl Delaunay2 {
             guide: Guide::default(),
         })
     }
-}
-
-/// As [`check_points2`], on several threads if `options` say so.
-fn check_together(points: &[DVec2], options: BuildOptions) -> Result<(), CoordinateError> {
-    let share = threads::share(points.len(), options.threads.get());
-    let checked = threads::map(points.chunks(share).collect(), check_points2);
-    // The first error is that of the first share that has one, but counted from the start of the share.
-    match checked.iter().all(Result::is_ok) {
-        true => Ok(()),
-        false => check_points2(points),
-    }
-}
-
-/// Copies points in the caller's order; `-0.0` becomes `0.0`.
-fn copy_points(places: &mut [DVec2], points: &[DVec2], options: BuildOptions) {
-    let share = threads::share(points.len(), options.threads.get());
-    let shares = places.chunks_mut(share).zip(points.chunks(share));
-    threads::for_each(shares.collect(), |(places, points)| {
-        for (place, &p) in places.iter_mut().zip(points) {
-            *place = p + DVec2::ZERO;
-        }
-    });
-}
-
-/// The points in insertion order behind the ghost; `-0.0` becomes `0.0`.
-fn in_order(points: &[DVec2], order: &[u32], options: BuildOptions) -> Vec<DVec2> {
-    let mut coords = vec_of(DVec2::NAN, points.len() + 1, options.huge_pages);
-    let share = threads::share(points.len(), options.threads.get());
-    let shares = coords[1..].chunks_mut(share).zip(order.chunks(share));
-    threads::for_each(shares.collect(), |(coords, order)| {
-        for (place, &index) in coords.iter_mut().zip(order) {
-            *place = points[index as usize] + DVec2::ZERO;
-        }
-    });
-    coords
 }
