@@ -33,6 +33,7 @@ pub(crate) fn fill<T: Send, S: Sync>(
     threads: usize,
     make: impl Fn(&S) -> T + Sync + Send,
 ) {
+    debug_assert_eq!(places.len(), sources.len());
     let share = share(places.len(), threads);
     let shares = places.chunks_mut(share).zip(sources.chunks(share));
     for_each(shares.collect(), |(places, sources)| {
@@ -42,16 +43,16 @@ pub(crate) fn fill<T: Send, S: Sync>(
     });
 }
 
-/// What `check` says of all `things`, which it looks at in one share for each thread.
+/// What `judge` says of all `things`, which it looks at in one share for each thread.
 pub(crate) fn check<T: Sync, E: Send>(
     things: &[T],
     threads: usize,
-    check: impl Fn(&[T]) -> Result<(), E> + Sync + Send,
+    judge: impl Fn(&[T]) -> Result<(), E> + Sync + Send,
 ) -> Result<(), E> {
     let shares = things.chunks(share(things.len(), threads)).collect();
-    match map(shares, &check).iter().all(Result::is_ok) {
+    match map(shares, &judge).iter().all(Result::is_ok) {
         true => Ok(()),
         // An error may name a place, and that of a share counts from the start of the share.
-        false => check(things),
+        false => judge(things),
     }
 }

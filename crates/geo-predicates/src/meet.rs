@@ -19,7 +19,7 @@ pub enum Plane {
     Equation {
         /// Of any length but zero, and of any size.
         normal: DVec3,
-        /// In units of length times that of the normal.
+        /// The inner product of the normal with each point of the plane.
         limit: f64,
     },
     /// The points as far from `back` as from `front`, which are two points of accepted coordinates.
@@ -38,8 +38,7 @@ pub enum Plane {
 #[must_use]
 pub fn meet_in_front(planes: [Plane; 3], plane: Plane) -> Sign {
     let [a, b, c] = planes;
-    if let [Some(a), Some(b), Some(c), Some(d)] = fronts_seen_from_one_back([a, b, c, plane]) {
-        let back = plane.back();
+    if let Some((back, [a, b, c, d])) = bisectors_of_one_point([a, b, c, plane]) {
         return in_sphere(back, a, b, c, d) * orient3d(back, a, b, c);
     }
     let [a, b, c, plane] = Equation::of([a, b, c, plane], DVec3::ZERO).1;
@@ -47,7 +46,8 @@ pub fn meet_in_front(planes: [Plane; 3], plane: Plane) -> Sign {
     sign(&(dot(&plane.normal, &point) - plane.limit * &weight)) * sign(&weight)
 }
 
-/// The common point of three planes as seen from `origin`, each coordinate rounded to within one part in 2^52.
+/// The common point of three planes as seen from `origin`, each coordinate rounded to within one part in 2^52, or to within
+/// the smallest normal double.
 ///
 /// `None` when the three have no common point or more than one, or when it is beyond the range of doubles.
 #[must_use]
@@ -61,23 +61,20 @@ pub fn meet_place(planes: [Plane; 3], origin: DVec3) -> Option<DVec3> {
     Some(DVec3::from(place)).filter(|place| place.is_finite())
 }
 
-impl Plane {
-    /// The point on the back of a bisector; NaN for an equation, equal to nothing.
-    fn back(self) -> DVec3 {
-        match self {
-            Self::Bisector { back, .. } => back,
-            Self::Equation { .. } => DVec3::NAN,
+/// The point on the back of all planes, and those in front, if they are bisectors with a common back.
+fn bisectors_of_one_point(planes: [Plane; 4]) -> Option<(DVec3, [DVec3; 4])> {
+    let mut common = None;
+    let mut fronts = [DVec3::ZERO; 4];
+    for (place, plane) in fronts.iter_mut().zip(planes) {
+        let Plane::Bisector { back, front } = plane else {
+            return None;
+        };
+        if *common.get_or_insert(back) != back {
+            return None;
         }
+        *place = front;
     }
-}
-
-/// The points in front, if all planes are bisectors with the same point on their back.
-fn fronts_seen_from_one_back(planes: [Plane; 4]) -> [Option<DVec3>; 4] {
-    let common = planes[0].back();
-    planes.map(|plane| match plane {
-        Plane::Bisector { back, front } if back == common => Some(front),
-        _ => None,
-    })
+    common.map(|back| (back, fronts))
 }
 
 /// The points `x` with `x · normal = limit`, in integers.
@@ -269,10 +266,15 @@ mod tests {
         ]
     }
 
+    /// Also numbers that have lost their digits, which coordinates may not be.
+    fn limit() -> impl Strategy<Value = f64> {
+        prop_oneof![4 => number(), 1 => (0..30_u64).prop_map(f64::from_bits)]
+    }
+
     fn plane() -> impl Strategy<Value = Plane> {
         let triple = || [number(), number(), number()];
         prop_oneof![
-            (triple(), number()).prop_map(|(normal, limit)| equation(normal, limit)),
+            (triple(), limit()).prop_map(|(normal, limit)| equation(normal, limit)),
             (triple(), triple()).prop_map(|(back, front)| bisector(back, front)),
             triple().prop_map(|front| bisector([0.0; 3], front)),
         ]

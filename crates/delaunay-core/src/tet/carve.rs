@@ -53,7 +53,7 @@ impl<'a> CellCarver<'a> {
     }
 
     fn carve(&mut self, v: VertexId) {
-        /// Twice the reach, squared, and some for rounding.
+        /// Twice the reach, squared, and some for rounding of the distances.
         const FAR: f64 = 4.0 + 1e-9;
         let center = self.delaunay.point(v);
         self.cell.assign(self.window, center);
@@ -82,10 +82,8 @@ struct Reach {
 
 impl Reach {
     fn of(cell: &ConvexPolyhedron) -> Self {
-        let squares = cell
-            .corners
-            .iter()
-            .map(|corner| corner.place.length_squared());
+        let corners = cell.corners.iter();
+        let squares = corners.map(|corner| (corner.place.abs() + corner.blur).length_squared());
         Self {
             squared: squares.fold(0.0, f64::max),
             cuts: 0,

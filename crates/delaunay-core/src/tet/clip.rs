@@ -4,8 +4,8 @@
 //! kinds. Sides of corners are exact, so the surface is that of the exact polyhedron, with three edges per corner;
 //! where more edges meet, several corners share a place.
 //!
-//! A new corner is the common point of its three planes, so it is as accurate as it is near the origin of the
-//! coordinates, however large the polyhedron was at the start; errors do not add up.
+//! A new corner is the common point of its three planes, so errors do not add up, however large the polyhedron was at
+//! the start.
 
 use super::face_plane::FacePlane;
 use super::half_space::HalfSpace;
@@ -16,7 +16,8 @@ impl ConvexPolyhedron {
     /// Keeps what lies in `half_space`, and calls the new face `side`. Tells whether anything was cut off.
     ///
     /// Corners in the plane stay as long as one is below it; else nothing is left. Takes time linear in the
-    /// number of corners, or in what is removed when there are many.
+    /// number of corners, or in what is removed when there are many. Corners that are as near to the plane as rounding may
+    /// put them cost some microseconds each, for exact arithmetic.
     pub fn clip(&mut self, half_space: &HalfSpace, side: Side) -> bool {
         self.clip_in(half_space, side, &mut Clipper::default())
     }
@@ -220,6 +221,19 @@ mod tests {
         let half = clipped(&[([1.0, 0.0, 0.0], 0.5)]);
         let sides: Vec<Side> = half.faces().map(|face| face.side()).collect();
         assert_eq!(sides, [0, 2, 3, 4, 5, 6].map(Side::Window));
+    }
+
+    /// Limits that are the smallest numbers there are lose their digits in every product.
+    #[test]
+    fn limits_without_digits_leave_a_sound_surface() {
+        let limit = |smallest: u64| f64::from_bits(smallest);
+        clipped(&[
+            ([3.0, -8.0, -5.0], limit(25)),
+            ([-6.0, 3.0, -1.0], limit(4)),
+            ([2.0, -8.0, -1.0], limit(20)),
+            ([1.0, -5.0, 4.0], limit(4)),
+            ([-3.0, 7.0, -6.0], limit(12)),
+        ]);
     }
 
     /// Planes through one point that all but coincide: sides of corners by rounded numbers would contradict each

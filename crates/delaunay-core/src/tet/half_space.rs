@@ -29,6 +29,9 @@ pub enum HalfSpaceError {
 impl HalfSpace {
     /// The points `x` with `x · normal <= limit`; the normal, of any length, points outwards.
     ///
+    /// Both are scaled by one power of two; parts of the normal 2^1022 times smaller than its longest, and limits beyond
+    /// the range of doubles, do not survive that exactly.
+    ///
     /// # Errors
     /// [`HalfSpaceError`] when a number is not finite or the normal is zero.
     pub fn new(normal: DVec3, limit: f64) -> Result<Self, HalfSpaceError> {

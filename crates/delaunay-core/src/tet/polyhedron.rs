@@ -46,7 +46,8 @@ pub struct ConvexPolyhedron {
 pub enum Side {
     /// A side of the window, by number.
     Window(u32),
-    /// The bisector between the vertex of the cell and this one, its Delaunay neighbour.
+    /// The bisector between the vertex of the cell and this one, its Delaunay neighbour; in a cell cut out of a window
+    /// that is a Voronoi cell itself, also a face of that window.
     Neighbor(VertexId),
 }
 
@@ -183,14 +184,21 @@ impl ConvexPolyhedron {
         self.origin = origin;
         self.corners.clone_from(&window.corners);
         self.faces.clone_from(&window.faces);
-        for corner in &mut self.corners {
-            corner.place -= offset;
-            // Of the offset and of the difference.
-            let sizes = offset.abs().max_element() + corner.place.abs().max_element();
-            corner.blur += f64::EPSILON * sizes;
-        }
         for face in &mut self.faces {
             face.plane = face.plane.seen_from(origin);
+        }
+        for corner in &mut self.corners {
+            corner.place -= offset;
+            if corner.blur > 0.0 {
+                // Known less well than it may be here.
+                let planes = corner.faces.map(|face| &self.faces[face as usize].plane);
+                let reach = corner.place.abs().max_element();
+                (corner.place, corner.blur) = FacePlane::meet(planes, origin, reach);
+            } else if offset != DVec3::ZERO {
+                // Of the offset and of the difference.
+                let sizes = offset.abs().max_element() + corner.place.abs().max_element();
+                corner.blur = f64::EPSILON * sizes;
+            }
         }
     }
 
