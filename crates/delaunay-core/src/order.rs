@@ -83,23 +83,32 @@ impl Order {
     /// # Panics
     /// When there are 2^32 points or more.
     pub(crate) fn of<P: Spatial>(points: &[P], options: BuildOptions) -> Self {
+        let mut memory = vec_of(0, 2 * points.len(), options.huge_pages);
+        Self::in_memory(points, &mut memory, options)
+    }
+
+    /// As [`of`](Self::of), in memory for two numbers per point, which the system need not clear for this alone.
+    pub(crate) fn in_memory<P: Spatial>(
+        points: &[P],
+        memory: &mut [u64],
+        options: BuildOptions,
+    ) -> Self {
         assert!(
             u32::try_from(points.len()).is_ok(),
             "more points than 32 bits can number"
         );
         let layout = KeyLayout::new::<P>(points.len());
         let threads = options.threads.get();
-        let mut keys = vec_of(0, points.len(), options.huge_pages);
-        fill_keys(&mut keys, points, layout, threads);
+        let (keys, rest) = memory.split_at_mut(points.len());
+        fill_keys(keys, points, layout, threads);
         let width = layout.width();
         let leading = width - layout.leading_bits(points.len());
-        let mut spare = vec_of(0, points.len(), options.huge_pages);
-        sort_by_bits(&mut keys, &mut spare, leading..width, threads);
-        drop(spare);
-        finish_runs(&mut keys, leading, threads);
-        let rounds = rounds(&keys, layout);
-        let stretches = stretches(&keys, &rounds, layout);
-        order_crowds(points, &mut keys, layout);
+        let spare = &mut rest[..points.len()];
+        let keys = sort_by_bits(keys, spare, leading..width, threads);
+        finish_runs(keys, leading, threads);
+        let rounds = rounds(keys, layout);
+        let stretches = stretches(keys, &rounds, layout);
+        order_crowds(points, keys, layout);
         let indices = keys.iter().map(|&key| layout.index(key) as u32);
         Self {
             indices: indices.collect(),

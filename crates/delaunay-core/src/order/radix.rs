@@ -11,15 +11,15 @@ use std::ops::Range;
 /// Greatest width of a digit, in bits: its counters and as many ends of runs stay in the first cache.
 const DIGIT_BITS: u32 = 9;
 
-/// Sorts `keys` by the bits in `bits`, on `threads` threads.
+/// Sorts `keys` by the bits in `bits`, on `threads` threads; the result is in one of the two buffers.
 ///
 /// `spare` is as long as `keys` and keeps nothing of value.
-pub(super) fn sort_by_bits(
-    keys: &mut Vec<u64>,
-    spare: &mut Vec<u64>,
+pub(super) fn sort_by_bits<'a>(
+    mut keys: &'a mut [u64],
+    mut spare: &'a mut [u64],
     bits: Range<u32>,
     threads: usize,
-) {
+) -> &'a mut [u64] {
     let mut share = threads::share(keys.len(), threads);
     let passes = bits.len().div_ceil(DIGIT_BITS as usize) as u32;
     let shares = keys.chunks_mut(share).zip(spare.chunks_mut(share));
@@ -27,7 +27,7 @@ pub(super) fn sort_by_bits(
         sort_share(keys, spare, &bits, passes);
     });
     if passes % 2 == 1 {
-        swap(keys, spare);
+        swap(&mut keys, &mut spare);
     }
     while share < keys.len() {
         let pairs = keys.chunks(2 * share).zip(spare.chunks_mut(2 * share));
@@ -37,9 +37,10 @@ pub(super) fn sort_by_bits(
             cut_merge([left, right], merged, pieces, bits.start)
         });
         threads::for_each(merges.collect(), |merge| merge.run(bits.start));
-        swap(keys, spare);
+        swap(&mut keys, &mut spare);
         share *= 2;
     }
+    keys
 }
 
 /// Sorts `keys` in `passes` passes; an odd number of passes leaves the result in `spare`.
@@ -165,8 +166,8 @@ mod tests {
                 for threads in [1, 2, 3, 8, 5000] {
                     let mut keys = given.clone();
                     let mut spare = vec![0; keys.len()];
-                    sort_by_bits(&mut keys, &mut spare, bits.clone(), threads);
-                    assert_eq!(keys, expected, "{count} {bits:?} {threads}");
+                    let sorted = sort_by_bits(&mut keys, &mut spare, bits.clone(), threads);
+                    assert_eq!(sorted, expected, "{count} {bits:?} {threads}");
                 }
             }
         }

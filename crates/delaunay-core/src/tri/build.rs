@@ -12,7 +12,7 @@ use super::duplicates::Duplicates;
 use super::flat::Flat;
 use crate::error::BuildError;
 use crate::guide::Guide;
-use crate::memory::vec_of;
+use crate::memory::{vec_of, words_of};
 use crate::options::BuildOptions;
 use crate::order::Order;
 use crate::progress::{Meter, Progress, silent};
@@ -88,8 +88,10 @@ impl Delaunay2 {
         let threads = options.threads.get();
         threads::check(points, threads, check_points2)?;
         let mut meter = Meter::start(report, "triangulate", points.len())?;
-        let mut order = Order::of(points, options);
+        // Fresh memory is cleared first: the keys of the order and the names of the finish take the place of the points.
         let mut coords = vec_of(DVec2::NAN, points.len() + 1, options.huge_pages);
+        let mut order = Order::in_memory(points, words_of(&mut coords), options);
+        coords[0] = DVec2::NAN;
         // Adding zero makes `-0.0` to `0.0`.
         threads::fill(&mut coords[1..], &order.indices, threads, |&index| {
             points[index as usize] + DVec2::ZERO
@@ -98,7 +100,9 @@ impl Delaunay2 {
             return Err(BuildError::Flat(Box::new(Flat::sorted(points))));
         }
         let bulk = Bulk::of(&coords, &order, options, LEAST_SHARE, &mut meter)?;
-        let Finish { mesh, duplicates } = bulk.finish(&order.indices, options);
+        let Finish { mesh, duplicates } =
+            bulk.finish(&order.indices, words_of(&mut coords), options);
+        coords[0] = DVec2::NAN;
         threads::fill(&mut coords[1..], points, threads, |&p| p + DVec2::ZERO);
         Ok(Self {
             coords,

@@ -4,7 +4,7 @@ use super::super::mesh::{Face, TriMesh};
 use super::fill::faces_of;
 use super::rounds::Bulk;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
-use crate::memory::{vec_of, vec_with_capacity};
+use crate::memory::vec_of;
 use crate::options::BuildOptions;
 use crate::threads;
 
@@ -17,21 +17,24 @@ pub(in super::super) struct Finish {
 
 impl Bulk {
     /// Passes from vertex slots in insertion order to the caller's numbers, given in that order; of equal
-    /// points the smallest number stands for all.
-    pub(in super::super) fn finish(mut self, order: &[u32], options: BuildOptions) -> Finish {
+    /// points the smallest number stands for all. Uses `memory` for one number per vertex slot.
+    pub(in super::super) fn finish(
+        mut self,
+        order: &[u32],
+        memory: &mut [u64],
+        options: BuildOptions,
+    ) -> Finish {
         self.close_gaps();
-        let mut names: Vec<Name> = vec_with_capacity(order.len() + 1, options.huge_pages);
-        names.push(Name::new(VertexId::GHOST));
-        names.extend(
-            order
-                .iter()
-                .map(|&index| Name::new(VertexId::new(index as usize))),
-        );
-        self.name_duplicates(&mut names);
+        let names = Name::all_in(&mut memory[..=order.len()]);
+        names[0] = Name::new(VertexId::GHOST);
+        for (name, &index) in names[1..].iter_mut().zip(order) {
+            *name = Name::new(VertexId::new(index as usize));
+        }
+        self.name_duplicates(names);
         let mut outgoing = vec_of(HalfEdgeId::NONE, names.len(), options.huge_pages);
         match options.threads.get() {
             1 => name_corners(&mut self.faces, names, &mut outgoing),
-            threads => name_corners_together(&mut self.faces, &names, &mut outgoing, threads),
+            threads => name_corners_together(&mut self.faces, names, &mut outgoing, threads),
         }
         Finish {
             mesh: TriMesh {
@@ -95,11 +98,20 @@ impl Name {
         let outgoing = HalfEdgeId::NONE;
         Self { vertex, outgoing }
     }
+
+    /// Names of anything in memory that is used for something else before and after.
+    fn all_in(memory: &mut [u64]) -> &mut [Self] {
+        const { assert!(size_of::<Self>() == 8 && align_of::<Self>() <= align_of::<u64>()) };
+        let names = memory.as_mut_ptr().cast();
+        // SAFETY: a name is two numbers of 32 bits, for which any bits are valid, and fits in one of 64; the memory
+        // is borrowed as long as the names.
+        unsafe { std::slice::from_raw_parts_mut(names, memory.len()) }
+    }
 }
 
 /// Gives each corner the name in its slot, and `outgoing` the half-edge with the smallest id that leaves each vertex, by
 /// its new slot.
-fn name_corners(faces: &mut [Face], mut names: Vec<Name>, outgoing: &mut [HalfEdgeId]) {
+fn name_corners(faces: &mut [Face], names: &mut [Name], outgoing: &mut [HalfEdgeId]) {
     for (index, face) in faces.iter_mut().enumerate().rev() {
         let f = FaceId::new(index);
         for corner in (0..3).rev() {
@@ -128,7 +140,7 @@ fn name_corners_together(
         let mut first = vec![HalfEdgeId::NONE; names.len()];
         for (index, face) in faces.iter_mut().enumerate().rev() {
             let f = FaceId::new(number * share + index);
-            for corner in (0..3).rev() {
+                for corner in (0..3).rev() {
                 let slot = face.origin[corner].slot();
                 first[slot] = f.half_edge(corner);
                 face.origin[corner] = names[slot].vertex;

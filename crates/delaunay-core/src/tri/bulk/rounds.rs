@@ -219,7 +219,8 @@ mod tests {
         let mut meter = Meter::start(&mut quiet, "test", points.len()).unwrap();
         let options = BuildOptions::on_threads(threads);
         let bulk = Bulk::of(&coords, &order, options, 1, &mut meter).unwrap();
-        bulk.finish(&order.indices, options)
+        let mut memory = vec![0; coords.len()];
+        bulk.finish(&order.indices, &mut memory, options)
     }
 
     /// With a share of one point, all rounds but the first are cut into parts.
