@@ -45,17 +45,6 @@ pub(super) struct PendingEdge {
     pub(super) backwards: Cross,
 }
 
-impl PendingEdge {
-    #[inline(always)]
-    pub(super) fn new(start: &Seen, end: Seen, outer: HalfEdgeId) -> Self {
-        Self {
-            end,
-            outer,
-            backwards: end.arm.cross(&start.arm),
-        }
-    }
-}
-
 impl Cavity {
     /// The faces, ghosts included, the one that contains the point first.
     #[must_use]

@@ -64,8 +64,18 @@ impl<'a> Sight<'a> {
     /// The ways out of line take ids, not references, so that what is seen stays in registers.
     #[inline(always)]
     pub(super) fn in_conflict(&self, [b, a, apex]: [&Seen; 3], ba: Cross) -> bool {
-        let corners = [&b.arm, &a.arm, &apex.arm];
         let crosses = [a.arm.cross(&apex.arm), apex.arm.cross(&b.arm), ba];
+        self.in_conflict_crossed([b, a, apex], crosses)
+    }
+
+    /// As [`in_conflict`](Self::in_conflict), from all three crosses.
+    #[inline(always)]
+    pub(super) fn in_conflict_crossed(
+        &self,
+        [b, a, apex]: [&Seen; 3],
+        crosses: [Cross; 3],
+    ) -> bool {
+        let corners = [&b.arm, &a.arm, &apex.arm];
         match self.filter.in_circle_crossed(corners, crosses) {
             Some(Sign::Positive) => true,
             Some(Sign::Negative) => false,

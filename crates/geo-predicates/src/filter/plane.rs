@@ -5,6 +5,7 @@ use crate::few_bits::extent;
 use crate::sign::Sign;
 use crate::statistics::Predicate;
 use glam::DVec2;
+use std::ops::Neg;
 
 const ORIENT2D: f64 = 3.330_669_073_875_472e-16;
 const IN_CIRCLE: f64 = 3.71e-16;
@@ -59,6 +60,16 @@ impl Cross {
     #[must_use]
     pub fn seems_left(self) -> bool {
         self.0 >= 0.0
+    }
+}
+
+impl Neg for Cross {
+    type Output = Self;
+
+    /// The cross of the two vectors in the other order, rounding included.
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
     }
 }
 

@@ -4,12 +4,16 @@ use super::super::mesh::Face;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use glam::DVec2;
 use std::marker::PhantomData;
-use std::mem::MaybeUninit;
+use std::mem::{MaybeUninit, offset_of};
 
 /// The faces of a mesh in the making and the points it is made of.
 ///
 /// All access is by raw pointers to single fields, never by references to whole faces: two threads may use
 /// different fields of one face at the same time, see the [module](super).
+///
+/// While a mesh grows, the place of an origin holds the apex instead, the corner that is not on the half-edge: nearly
+/// all questions are for the corner beyond an edge, and nothing but a load should be between them and the answer.
+/// [`finish`](super::finish) turns the corners back.
 pub(super) struct Arena<'a> {
     faces: *mut Face,
     room: usize,
@@ -48,20 +52,14 @@ impl<'a> Arena<'a> {
         unsafe { *self.coords.get_unchecked(v.slot()) }
     }
 
-    /// The vertex that `h` leaves.
+    /// The corner of the face of `h` that is not on `h`.
     ///
     /// # Safety
     /// The face of `h` has been written, and no other thread writes its corners now.
     #[inline(always)]
-    pub(super) unsafe fn origin(&self, h: HalfEdgeId) -> VertexId {
-        let face = self.face(h.face());
-        // SAFETY: `face` is in the room and written; a half-edge has corner 0, 1 or 2.
-        unsafe {
-            (&raw const (*face).origin)
-                .cast::<VertexId>()
-                .add(h.corner())
-                .read()
-        }
+    pub(super) unsafe fn apex(&self, h: HalfEdgeId) -> VertexId {
+        // SAFETY: the face is in the room and written; a half-edge has corner 0, 1 or 2.
+        unsafe { self.item::<VertexId>(h, offset_of!(Face, origin)).read() }
     }
 
     /// The other side of the edge of `h`.
@@ -70,14 +68,8 @@ impl<'a> Arena<'a> {
     /// The face of `h` has been written, and no other thread writes this twin now.
     #[inline(always)]
     pub(super) unsafe fn twin(&self, h: HalfEdgeId) -> HalfEdgeId {
-        let face = self.face(h.face());
-        // SAFETY: as in `origin`.
-        unsafe {
-            (&raw const (*face).twin)
-                .cast::<HalfEdgeId>()
-                .add(h.corner())
-                .read()
-        }
+        // SAFETY: as in `apex`.
+        unsafe { self.item::<HalfEdgeId>(h, offset_of!(Face, twin)).read() }
     }
 
     /// Makes `twin` the other side of the edge of `h`, in the face of `h` alone.
@@ -86,28 +78,53 @@ impl<'a> Arena<'a> {
     /// No other thread reads or writes this twin now.
     #[inline(always)]
     pub(super) unsafe fn set_twin(&self, h: HalfEdgeId, twin: HalfEdgeId) {
-        let face = self.face(h.face());
-        // SAFETY: `face` is in the room; a half-edge has corner 0, 1 or 2.
+        // SAFETY: as in `apex`.
         unsafe {
-            (&raw mut (*face).twin)
-                .cast::<HalfEdgeId>()
-                .add(h.corner())
+            self.item::<HalfEdgeId>(h, offset_of!(Face, twin))
                 .write(twin);
         }
     }
 
-    /// Writes the face `f`.
+    /// Writes the face `f`, given with origins.
     ///
     /// # Safety
     /// `f` is in the room, and no other thread reads or writes anything of it now.
     #[inline(always)]
     pub(super) unsafe fn put(&self, f: FaceId, face: Face) {
+        let [a, b, c] = face.origin;
+        let origin = [c, a, b];
         // SAFETY: the caller's promise.
-        unsafe { self.face(f).write(face) }
+        unsafe { self.at(f).write(Face { origin, ..face }) }
+    }
+
+    /// The face `f`, with origins.
+    ///
+    /// # Safety
+    /// `f` has been written, and no other thread writes anything of it now.
+    #[inline(always)]
+    pub(super) unsafe fn face(&self, f: FaceId) -> Face {
+        // SAFETY: the caller's promise.
+        let face = unsafe { self.at(f).read() };
+        let [c, a, b] = face.origin;
+        let origin = [a, b, c];
+        Face { origin, ..face }
+    }
+
+    /// Where the item of `h` is in the array of three ids at `offset` in its face.
+    #[inline(always)]
+    fn item<T>(&self, h: HalfEdgeId, offset: usize) -> *mut T {
+        const { assert!(size_of::<Face>() == 24 && size_of::<T>() == 4) };
+        debug_assert!(h.face().index() < self.room);
+        // For half-edge 4 f + i, 24 f + 4 i bytes on: this way it is one step less than from face and corner.
+        let bytes = 2 * (3 * h.index() - h.corner());
+        self.faces
+            .cast::<u8>()
+            .wrapping_add(bytes + offset)
+            .cast::<T>()
     }
 
     #[inline(always)]
-    fn face(&self, f: FaceId) -> *mut Face {
+    fn at(&self, f: FaceId) -> *mut Face {
         debug_assert!(f.index() < self.room);
         self.faces.wrapping_add(f.index())
     }

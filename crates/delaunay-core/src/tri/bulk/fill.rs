@@ -1,9 +1,8 @@
-//! A cavity is replaced by the star of the new vertex, as in `star.rs`.
+//! The star of a new vertex, face by face, as in `star.rs`.
 
 use super::super::mesh::Face;
-use super::part::Part;
-use super::worker::Worker;
-use crate::ids::{FaceId, VertexId};
+use super::arena::Arena;
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
 
 /// The two faces that the insertion of `v` adds to a mesh; the first three vertices have four together.
 pub(super) fn faces_of(v: VertexId) -> [FaceId; 2] {
@@ -11,37 +10,69 @@ pub(super) fn faces_of(v: VertexId) -> [FaceId; 2] {
     [first, first + 1].map(FaceId::new)
 }
 
-impl<P: Part> Worker<'_, P> {
-    /// Replaces the cavity just dug by the star of `v`, and starts the next walk at its face on edge `aimed`.
+/// A star in the making: its faces follow each other counterclockwise.
+pub(super) struct Star {
+    vertex: VertexId,
+    first: FaceId,
+    before: FaceId,
+    /// Where the next face goes.
+    pub(super) here: FaceId,
+}
+
+impl Star {
+    /// The star of `vertex`, without a face yet; its first face goes to `first`.
+    #[inline(always)]
+    pub(super) fn new(vertex: VertexId, first: FaceId) -> Self {
+        Self {
+            vertex,
+            first,
+            before: first,
+            here: first,
+        }
+    }
+
+    /// Writes the face on the edge from `start` to `end` of the rim, which has `outer` on its other side. The face that
+    /// follows goes to `after`; the last face may have anything there.
     ///
     /// # Safety
-    /// As [`insert`](Self::insert); the diggings hold the cavity of `v`, which has `edges` edges.
+    /// No other thread uses the face at this place, nor the twin of `outer`.
     #[inline(always)]
-    pub(super) unsafe fn fill(&mut self, v: VertexId, edges: usize, aimed: usize) {
-        let faces = self.diggings.faces.as_mut_ptr();
-        let rim = self.diggings.rim.as_mut_ptr();
-        // SAFETY: there is room for `edges` faces and one edge more. The faces of the cavity are of the part
-        // and those of `v` are this thread's, so it may write them; the faces outside share two
-        // corners with one of the cavity, so no other thread touches their twins on the rim.
+    pub(super) unsafe fn add(
+        &mut self,
+        arena: &Arena<'_>,
+        [start, end]: [VertexId; 2],
+        outer: HalfEdgeId,
+        after: FaceId,
+    ) {
+        let Self {
+            vertex,
+            before,
+            here,
+            ..
+        } = *self;
+        let face = Face {
+            origin: [vertex, start, end],
+            twin: [before.half_edge(2), outer, after.half_edge(0)],
+        };
+        // SAFETY: the caller's promise.
         unsafe {
-            let [first, second] = faces_of(v);
-            faces.add(edges - 2).write(first);
-            faces.add(edges - 1).write(second);
-            rim.add(edges).write(rim.read());
-            let (mut before, mut here) = (second, faces.read());
-            let mut edge = rim.read();
-            for j in 1..=edges {
-                let after = faces.add(if j == edges { 0 } else { j }).read();
-                let next = rim.add(j).read();
-                self.arena.set_twin(edge.outer, here.half_edge(1));
-                let face = Face {
-                    origin: [v, edge.origin, next.origin],
-                    twin: [before.half_edge(2), edge.outer, after.half_edge(0)],
-                };
-                self.arena.put(here, face);
-                (before, here, edge) = (here, after, next);
-            }
-            self.start = self.real_side(faces.add(aimed).read().half_edge(1));
+            arena.set_twin(outer, here.half_edge(1));
+            arena.put(here, face);
+        }
+        (self.before, self.here) = (here, after);
+    }
+
+    /// Joins the last face to the first.
+    ///
+    /// # Safety
+    /// All faces have been added, and no other thread uses them.
+    #[inline(always)]
+    pub(super) unsafe fn close(&self, arena: &Arena<'_>) {
+        let [last, first] = [self.before.half_edge(2), self.first.half_edge(0)];
+        // SAFETY: the caller's promise.
+        unsafe {
+            arena.set_twin(last, first);
+            arena.set_twin(first, last);
         }
     }
 }

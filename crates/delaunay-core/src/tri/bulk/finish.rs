@@ -114,6 +114,7 @@ impl Name {
 fn name_corners(faces: &mut [Face], names: &mut [Name], outgoing: &mut [HalfEdgeId]) {
     for (index, face) in faces.iter_mut().enumerate().rev() {
         let f = FaceId::new(index);
+        bring_origins_back(face);
         for corner in (0..3).rev() {
             let name = &mut names[face.origin[corner].slot()];
             name.outgoing = f.half_edge(corner);
@@ -123,6 +124,12 @@ fn name_corners(faces: &mut [Face], names: &mut [Name], outgoing: &mut [HalfEdge
     for name in names {
         outgoing[name.vertex.slot()] = name.outgoing;
     }
+}
+
+/// From apexes in the place of origins, as the [arena](super::arena::Arena) keeps them, to origins.
+#[inline(always)]
+fn bring_origins_back(face: &mut Face) {
+    face.origin.rotate_left(1);
 }
 
 /// As [`name_corners`], on several threads, each of which looks at a share of the faces.
@@ -140,7 +147,8 @@ fn name_corners_together(
         let mut first = vec![HalfEdgeId::NONE; names.len()];
         for (index, face) in faces.iter_mut().enumerate().rev() {
             let f = FaceId::new(number * share + index);
-                for corner in (0..3).rev() {
+            bring_origins_back(face);
+            for corner in (0..3).rev() {
                 let slot = face.origin[corner].slot();
                 first[slot] = f.half_edge(corner);
                 face.origin[corner] = names[slot].vertex;

@@ -6,6 +6,8 @@
 //! | faces and points as memory | `arena.rs` |
 //! | the first three points | `triangle.rs` |
 //! | one thread: walk, dig, fill | `worker.rs`, `walk.rs`, `dig.rs`, `fill.rs` |
+//! | the buffers of digging | `diggings.rs` |
+//! | cavities that are given up | `undo.rs` |
 //! | the vertices whose faces it may replace | `part.rs` |
 //! | all points, round by round | `rounds.rs`, `share.rs` |
 //! | from insertion order to the caller's numbers | `finish.rs` |
@@ -19,8 +21,8 @@
 //! In a round (see [`crate::order`]) each thread inserts the points on its stretches of the curve. The
 //! vertices there, of this round and of all before, are its *part*; parts are disjoint, and the ghost is
 //! in none. A *face of the part* is one whose real corners all are. The rule is: **a thread replaces faces of its
-//! part only.** When a cavity has any other face, or the walk leads to one, the thread gives up the
-//! point, which is for later: digging writes nothing, so there is nothing to undo. Postponed points are
+//! part only.** When a cavity has any other face, or the walk leads to one, the thread puts back the faces that
+//! it has replaced for this point and gives it up, for later. Postponed points are
 //! inserted on several threads again if they are many, in parts with other borders, and then on one.
 //!
 //! There are no locks and no atomics in this. What a thread touches of the mesh is:
@@ -28,7 +30,7 @@
 //! 1. It **writes** faces of its part whole, and the two faces that its point brings. All corners of
 //!    a face it writes are in the part, because the corners of a star are those of the cavity and
 //!    the point.
-//! 2. It **writes** single twins of faces outside a cavity, on an edge of the rim.
+//! 2. It **writes** single twins of faces outside a cavity, on an edge of a face in it.
 //! 3. It **reads** twins of faces of its part, and the twin on the edge at which a walk starts, between two
 //!    real vertices of the part.
 //! 4. It **reads** corners of faces of its part and of faces across their edges.
@@ -53,12 +55,14 @@
 
 mod arena;
 mod dig;
+mod diggings;
 mod fill;
 mod finish;
 mod part;
 mod rounds;
 mod share;
 mod triangle;
+mod undo;
 mod walk;
 mod worker;
 

@@ -5,6 +5,9 @@ use crate::order::Order;
 
 /// A set of vertices, the ghost aside.
 pub(super) trait Part: Copy + Send {
+    /// Whether there are vertices that are not in the set, so that cavities may leave it.
+    const HAS_BORDER: bool;
+
     /// Whether the real vertex `v` is in the set.
     ///
     /// # Safety
@@ -17,6 +20,8 @@ pub(super) trait Part: Copy + Send {
 pub(super) struct Whole;
 
 impl Part for Whole {
+    const HAS_BORDER: bool = false;
+
     #[inline(always)]
     unsafe fn holds(&self, _v: VertexId) -> bool {
         true
@@ -34,6 +39,8 @@ pub(super) struct Stretches<'a> {
 }
 
 impl Part for Stretches<'_> {
+    const HAS_BORDER: bool = true;
+
     #[inline(always)]
     unsafe fn holds(&self, v: VertexId) -> bool {
         debug_assert!(v.slot() < self.stretch_of.len());

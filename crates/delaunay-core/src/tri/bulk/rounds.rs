@@ -265,6 +265,16 @@ mod tests {
         assert_same_on_all_threads(&circle.collect::<Vec<_>>());
     }
 
+    /// The middle comes when about half of the circle is there, so its cavity outgrows the buffers more than once.
+    #[test]
+    fn the_middle_of_a_circle_sees_all_of_it() {
+        let circle = (0..1000).map(|i| DVec2::from_angle(f64::from(i) * 6.283e-3));
+        let points: Vec<DVec2> = circle.chain([DVec2::ZERO]).collect();
+        let mesh = built(&points, 1).mesh;
+        assert_eq!(mesh.check(), Ok(()));
+        assert_eq!(mesh.neighbors(VertexId::new(1000)).count(), 1000);
+    }
+
     #[test]
     fn clusters_and_their_copies_have_one_triangulation_for_any_number_of_threads() {
         let centers = [

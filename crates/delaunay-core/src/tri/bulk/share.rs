@@ -152,7 +152,7 @@ fn face_of_part(
     let mut outer = faces.map(|f| f.half_edge(1));
     outer.find(|&h| {
         // SAFETY: all vertices before the round have brought their faces, and no thread writes now.
-        let corners = [h, h.next(), h.prev()].map(|h| unsafe { arena.origin(h) });
+        let corners = [h, h.next(), h.prev()].map(|h| unsafe { arena.apex(h) });
         // SAFETY: corners are vertices of the arena.
         corners
             .iter()

@@ -1,6 +1,7 @@
 //! The walk to a point, as in `locate.rs`, within one part.
 
 use super::super::sight::{Seen, Sight};
+use super::dig::Seed;
 use super::part::Part;
 use super::worker::{Seat, Worker};
 use crate::ids::{HalfEdgeId, VertexId};
@@ -18,21 +19,22 @@ impl<P: Part> Worker<'_, P> {
         // those and of faces across their edges, which share a vertex with them.
         unsafe {
             let mut entry = self.start;
-            let mut from = self.see(sight, self.arena.origin(entry));
-            let mut to = self.see(sight, self.arena.origin(entry.next()));
+            let mut from = self.see(sight, self.arena.apex(entry.next()));
+            let mut to = self.see(sight, self.arena.apex(entry.prev()));
             if sight.side(&from, &to) == Sign::Negative {
                 entry = self.arena.twin(entry);
                 std::mem::swap(&mut from, &mut to);
             }
             loop {
-                let apex = self.arena.origin(entry.prev());
-                if apex.is_ghost() {
-                    return Seat::Face(entry.face());
+                let apex = self.see(sight, self.arena.apex(entry));
+                if apex.vertex.is_ghost() {
+                    let corners = [from, to, apex];
+                    let base = entry;
+                    return Seat::Face(Seed { base, corners });
                 }
-                if !self.part.holds(apex) {
+                if !self.part.holds(apex.vertex) {
                     return Seat::Lost;
                 }
-                let apex = self.see(sight, apex);
                 let ahead = sight.side(&to, &apex);
                 if ahead == Sign::Negative {
                     entry = self.arena.twin(entry.next());
@@ -46,10 +48,14 @@ impl<P: Part> Worker<'_, P> {
                     continue;
                 }
                 let at_corner = ahead == Sign::Zero || behind == Sign::Zero;
-                return match [from, to, apex].iter().find(|corner| corner.arm.is_zero()) {
-                    Some(corner) if at_corner => Seat::Vertex(corner.vertex),
-                    _ => Seat::Face(entry.face()),
-                };
+                let corners = [from, to, apex];
+                if at_corner
+                    && let Some(corner) = corners.iter().find(|corner| corner.arm.is_zero())
+                {
+                    return Seat::Vertex(corner.vertex);
+                }
+                let base = entry;
+                return Seat::Face(Seed { base, corners });
             }
         }
     }
@@ -77,7 +83,7 @@ impl<P: Part> Worker<'_, P> {
         // SAFETY: the caller's promise.
         unsafe {
             for base in [h, h.next(), h.prev()] {
-                if self.arena.origin(base.prev()).is_ghost() {
+                if self.arena.apex(base).is_ghost() {
                     return self.arena.twin(base);
                 }
             }

@@ -3,10 +3,11 @@
 use super::super::mesh::Face;
 use super::super::sight::Sight;
 use super::arena::Arena;
-use super::dig::{Diggings, Dug};
+use super::dig::Seed;
+use super::diggings::Diggings;
 use super::fill::faces_of;
 use super::part::Part;
-use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::ids::{HalfEdgeId, VertexId};
 use geo_predicates::filter::Filter2;
 use std::iter::Peekable;
 
@@ -38,7 +39,7 @@ enum Outcome {
 /// Where a point is, as far as an insertion asks.
 pub(super) enum Seat {
     /// In a face whose circumdisk contains it.
-    Face(FaceId),
+    Face(Seed),
     Vertex(VertexId),
     /// The walk left the part.
     Lost,
@@ -117,15 +118,9 @@ impl<'a, P: Part> Worker<'a, P> {
                 Seat::Vertex(vertex) => return Outcome::Duplicate(vertex),
                 Seat::Lost => return Outcome::Lost,
             };
-            loop {
-                match self.dig(&sight, seed, next) {
-                    Dug::Abroad => return Outcome::Abroad,
-                    Dug::TooLarge => self.diggings.grow(),
-                    Dug::Rim { edges, aimed } => {
-                        self.fill(v, edges, aimed);
-                        return Outcome::Inserted;
-                    }
-                }
+            match self.dig(v, &sight, &seed, next) {
+                true => Outcome::Inserted,
+                false => Outcome::Abroad,
             }
         }
     }
