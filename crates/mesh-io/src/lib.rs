@@ -27,7 +27,7 @@
 //! | `.off` | [`off`] | mesh | cells without volume | points and cells |
 //! | `.xy`, `.xyz` | [`xy`] | points | points | points; weights are read |
 //! | `.2d.f64`, `.3d.f64` | [`raw`] | points | points | points and weights |
-//! | `.ply` | [`ply`] | points | | points; weights are read |
+//! | `.ply` | [`ply`] | mesh, points | | points and faces; weights are read |
 //! | `DOMAIN.toml` | [`circles_toml`] | circles | circles | everything |
 //!
 //! The crate knows no geometry: nothing is oriented, repaired or judged here but form. What it promises instead:

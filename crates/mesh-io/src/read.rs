@@ -14,7 +14,7 @@ use crate::mesh::Mesh;
 use crate::numbers::Encoding;
 use crate::planar_graph::PlanarGraph;
 use crate::points::Coordinates;
-use crate::{circles_toml, connectivity_map, msh, off, plot3d, triangle, vtu, xy};
+use crate::{circles_toml, connectivity_map, msh, off, plot3d, ply, triangle, vtu, xy};
 
 /// Bytes read at most from a device or a pipe, which may never end.
 const LONGEST_STREAM: u64 = 1 << 30;
@@ -22,7 +22,7 @@ const LONGEST_STREAM: u64 = 1 << 30;
 /// The mesh in a file of any format that holds one.
 ///
 /// Points alone (`.xy`, `.xyz`, `.node`) make a mesh without cells; a `.poly` makes one of segments; structured blocks make one of
-/// quads. An `.ele` needs the `.node` beside it. A `.ply` and raw numbers are read as points only, see [`read_points`](crate::read_points).
+/// quads. An `.ele` needs the `.node` beside it. Raw numbers are read as points only, see [`read_points`](crate::read_points).
 ///
 /// # Errors
 /// A [`ReadError`] that names the file, and the line and element where one is to blame. O(file).
@@ -36,6 +36,7 @@ pub(crate) fn mesh_of(path: &Path, format: Format, bytes: &[u8]) -> Result<Mesh,
         Format::Xy => Ok(points_alone(Coordinates::Plane(xy::parse(bytes)?))),
         Format::Xyz => Ok(points_alone(Coordinates::Space(xy::parse(bytes)?))),
         Format::Off => off::parse(bytes),
+        Format::Ply => ply::parse_mesh(bytes),
         Format::Msh => msh::parse(bytes).map(|file| file.mesh),
         Format::TriangleNode => triangle::parse_node(bytes).map(Mesh::from),
         Format::TriangleEle => triangle::parse_ele(bytes, nodes_beside(path)?),

@@ -129,6 +129,20 @@ proptest! {
     }
 
     #[test]
+    fn spoiled_faces_are_refused_or_sound(spoils in spoils(), big_endian: bool) {
+        let order = if big_endian { "big" } else { "little" };
+        let mut file = format!(
+            "ply\nformat binary_{order}_endian 1.0\nelement vertex 3\nproperty char x\nproperty char y\n\
+             element face 2\nproperty list uchar uchar vertex_indices\nend_header\n"
+        ).into_bytes();
+        file.extend([0, 0, 1, 0, 0, 1, 3, 0, 1, 2, 2, 2, 0]);
+        prop_assert_eq!(ply::parse_mesh(&file).unwrap().cells.len(), 2);
+        if let Ok(mesh) = ply::parse_mesh(&spoiled(&file, &spoils)) {
+            prop_assert_eq!(mesh.check(), Ok(()));
+        }
+    }
+
+    #[test]
     fn ply_keeps_points_and_weights(points in points(), spoils in spoils()) {
         for kind in PLY_KINDS {
             let file = ply_file(kind, points.dimension(), points.weights.is_some(), &rows(&points));

@@ -64,6 +64,25 @@ impl<'a> Body<'a> {
         Ok(value)
     }
 
+    /// The next number, which counts something.
+    pub(super) fn whole(
+        &mut self,
+        number: Number,
+        expected: Arguments<'_>,
+    ) -> Result<u64, ReadError> {
+        let at = self.at();
+        let value = self.real(number, expected)?;
+        if value < 0.0 || value.fract() != 0.0 {
+            let problem = ReadProblem::Expected {
+                expected: expected.to_string(),
+                found: quoted(value.to_string().as_bytes()),
+            };
+            return Err(self.problem(at, problem));
+        }
+        // What a double holds beyond 2^64 becomes the greatest count, and no file has so much.
+        Ok(value as u64)
+    }
+
     /// Passes over everything that is stored for one property of one element.
     pub(super) fn pass(&mut self, property: &Property, element: &str) -> Result<(), ReadError> {
         let name = &property.name;
@@ -72,18 +91,9 @@ impl<'a> Body<'a> {
                 self.pass_numbers(1, number, format_args!("{name} of a {element}"))
             }
             Kind::List { count, item } => {
-                let at = self.at();
-                let expected = format_args!("the length of {name} of a {element}");
-                let length = self.real(count, expected)?;
-                if length < 0.0 || length.fract() != 0.0 {
-                    let problem = ReadProblem::Expected {
-                        expected: expected.to_string(),
-                        found: quoted(length.to_string().as_bytes()),
-                    };
-                    return Err(self.problem(at, problem));
-                }
-                // Whatever a double holds beyond 2^64 ends behind the file all the same.
-                self.pass_numbers(length as u64, item, format_args!("{name} of a {element}"))
+                let length =
+                    self.whole(count, format_args!("the length of {name} of a {element}"))?;
+                self.pass_numbers(length, item, format_args!("{name} of a {element}"))
             }
         }
     }

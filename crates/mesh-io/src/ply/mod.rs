@@ -1,19 +1,23 @@
-//! PLY: the vertices of a polygon file, from text or from binary of either byte order.
+//! PLY: the vertices and faces of a polygon file, from text or from binary of either byte order.
 //!
-//! Read are the properties `x` and `y`, `z` where there is one, and `weight` where it is asked for. Everything else is passed over, but
+//! Read are the properties `x` and `y` of a vertex, `z` where there is one, and `weight` where it is asked for, and the list of the
+//! corners of a face where the faces are asked for. Everything else is passed over, but
 //! passed it must be: a file that ends early is refused even when its vertices are whole.
 //!
 //! Own code: the readers at hand hold every property of every element in a map, and believe the counts of the header.
 
 mod body;
+mod faces;
 mod header;
 mod number;
 
 use body::Body;
+use faces::faces;
 use header::{Element, Header, Kind};
 
+use crate::cell::Cells;
 use crate::error::{ReadError, ReadProblem};
-use crate::mesh::{Axis, first_not_finite};
+use crate::mesh::{Axis, Mesh, first_not_finite};
 use crate::points::{Coordinates, Points, checked_weight};
 
 /// The vertices of a file, each with the property `weight` if `weighted`; of the plane when they have no `z`.
@@ -22,6 +26,31 @@ use crate::points::{Coordinates, Points, checked_weight};
 /// A header that makes no sense, vertices without `x` or `y` (or a weight that is asked for), a file that ends early or goes on, and
 /// coordinates that are not finite; each with its line or byte. O(file).
 pub fn parse(bytes: &[u8], weighted: bool) -> Result<Points, ReadError> {
+    parse_with(bytes, weighted, pass)
+}
+
+/// The vertices and faces of a file; faces are called `face` and have 1 to 4 corners in the list `vertex_indices` or
+/// `vertex_index`. `z` is 0 when the vertices have none.
+///
+/// # Errors
+/// As [`parse`], and faces that are not as said, have more corners or name a vertex that does not exist. O(file).
+pub fn parse_mesh(bytes: &[u8]) -> Result<Mesh, ReadError> {
+    let mut cells = Cells::new();
+    let points = parse_with(bytes, false, |body, element| match element.name.as_str() {
+        "face" => faces(body, element, &mut cells),
+        _ => pass(body, element),
+    })?;
+    let mesh = Mesh::new(points.coordinates.into_space(), cells);
+    mesh.check()?;
+    Ok(mesh)
+}
+
+/// The vertices of a file, the other elements of which `rest` reads.
+fn parse_with(
+    bytes: &[u8],
+    weighted: bool,
+    mut rest: impl FnMut(&mut Body<'_>, &Element) -> Result<(), ReadError>,
+) -> Result<Points, ReadError> {
     let header = Header::parse(bytes)?;
     let mut body = Body::behind(&header, bytes);
     let mut points = None;
@@ -32,7 +61,7 @@ pub fn parse(bytes: &[u8], weighted: bool) -> Result<Points, ReadError> {
                 return Err(ReadProblem::Unsupported(what.into()).into());
             }
             "vertex" => points = Some(vertices(&mut body, element, weighted)?),
-            _ => pass(&mut body, element)?,
+            _ => rest(&mut body, element)?,
         }
     }
     body.end()?;
