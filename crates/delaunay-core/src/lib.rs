@@ -42,6 +42,7 @@
 //!
 //! - [`Delaunay2`] and [`Delaunay3`] are the triangulations, [`TriMesh`] and [`TetMesh`] their connectivity;
 //!   data about elements live in a `Vec` beside the mesh, indexed by the `index()` of their ids.
+//! - A [`Surface`] is a closed surface of triangles; [`Surface::solid`] finds the tetrahedra that it encloses.
 //! - Signs, ids, ghosts and the accepted coordinates are as in `docs/conventions.md`. All decisions about
 //!   topology are made by the exact predicates of [`geo_predicates`], re-exported here.
 //! - [`measure`] judges elements and sums up a mesh: angles, r/l, radius ratios, scaled Jacobian, statistics.
@@ -72,6 +73,7 @@ pub use tet::{
     Star, TetMesh, Violation3, Voronoi3, VoronoiEdge3, VoronoiFacet3,
 };
 pub use tet::{Regular3, RegularViolation3};
+pub use tet::{Solid, SolidError, Surface, SurfaceError};
 pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,
     PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,

@@ -7,6 +7,7 @@
 //! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs`, `table.rs` |
 //! | all points | `build.rs`, `simplex.rs`, `bulk/`; a few `grow.rs` |
 //! | one point less, or elsewhere | `remove.rs`, `movement.rs` |
+//! | a closed surface and what it encloses | `surface.rs`, `region.rs`, `sweep.rs`, `intersection.rs`, `projection.rs` |
 //! | weighted points | `regular/` |
 //! | points on a plane | `coplanar.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
@@ -34,18 +35,23 @@ mod grow;
 mod half_space;
 mod hull;
 mod insert;
+mod intersection;
 mod locate;
 mod mesh;
 mod moments;
 mod movement;
 mod nearest;
 mod polyhedron;
+mod projection;
+mod region;
 mod regular;
 mod remove;
 mod rim;
 mod sight;
 mod simplex;
 mod star;
+mod surface;
+mod sweep;
 mod table;
 
 pub use around::{Ring, Star};
@@ -61,5 +67,7 @@ pub use locate::Location3;
 pub use mesh::{FACET_CORNERS, TetMesh};
 pub use moments::Moments;
 pub use polyhedron::{ConvexPolyhedron, PolyhedronError, Side};
+pub use region::{Solid, SolidError};
 pub use regular::{Regular3, RegularViolation3};
 pub use rim::Clipper;
+pub use surface::{Surface, SurfaceError};
