@@ -20,12 +20,21 @@
 //! # Ok::<(), delaunay_core::BuildError>(())
 //! ```
 //!
-//! In the crate today: the flow (§3.3) and the sinks (§3.2) of a triangulation of the plane, decided by exact
-//! signs alone. To come: the boundary test, independence, and the three schedules of insertion (§4, §5), in
-//! the plane and in space. The crate does not refine anything yet.
+//! [`refine3`] improves the tetrahedra of a solid. In the plane the crate has the flow and the sinks of a
+//! triangulation; refinement there is to come.
 
+mod error;
 mod flow;
+mod history;
+mod params;
 mod sinks;
+mod stop;
+pub mod tet;
 
+pub use error::RefineError;
 pub use flow::{Successor, flows_through, path, successor};
+pub use history::{Counters, Round};
+pub use params::{Candidate, Coarsening, Method, Params, Schedule};
 pub use sinks::{End, Sinks, sink};
+pub use stop::Stop;
+pub use tet::{Low3, Outcome3, Reason3, Separation3, refine3};

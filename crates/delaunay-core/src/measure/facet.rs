@@ -52,6 +52,26 @@ pub fn radius_edge_ratio(corners: [DVec3; 3]) -> f64 {
     shape(corners).radius_edge_ratio()
 }
 
+/// The center of the circle through the corners, in their plane; [`DVec3::INFINITY`] when they are on a line.
+///
+/// Relative to the circumradius the error is of the order of 1e-15, unless the height of the triangle is below about
+/// 1e-30 of its longest edge.
+#[must_use]
+pub fn circumcenter([a, b, c]: [DVec3; 3]) -> DVec3 {
+    let Some(unit) = scale([b - a, c - a].map(|edge| edge.abs().max_element())) else {
+        return DVec3::INFINITY;
+    };
+    let [u, v] = [b, c].map(|corner| DoubleDVec3::difference(corner, a, unit));
+    let normal = u.cross(v);
+    let offset = u.dot(u) * v.cross(normal) + v.dot(v) * normal.cross(u);
+    let center = a + unit * (offset.rounded() / (2.0 * normal.dot(normal).rounded()));
+    if center.is_finite() {
+        center
+    } else {
+        DVec3::INFINITY
+    }
+}
+
 /// Twice the inradius over the circumradius: dimensionless, in [0, 1], 1 for the equilateral triangle, 0 when
 /// the area is zero. Source: bubble paper, eq. 10.
 #[must_use]
@@ -102,6 +122,22 @@ fn shortest_cross([ab, bc, ca]: [DVec3; 3]) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_circumcenter_is_at_equal_distance_in_the_plane() {
+        let corners = [[1.0, 2.0, 3.0], [4.0, -1.0, 3.5], [1.0 + 1e-7, 2.0, 3.0]].map(DVec3::from);
+        let center = circumcenter(corners);
+        let radius = circumradius(corners);
+        for corner in corners {
+            assert!((center.distance(corner) / radius - 1.0).abs() < 1e-14);
+        }
+        let height = (center - corners[0]).dot(normal(corners));
+        assert!(height.abs() < 1e-14 * radius);
+        assert_eq!(
+            circumcenter([DVec3::ZERO, DVec3::X, 2.0 * DVec3::X]),
+            DVec3::INFINITY
+        );
+    }
 
     #[test]
     fn a_right_triangle_in_space_has_its_school_values() {

@@ -46,7 +46,9 @@ mod histogram;
 mod scale;
 mod shape;
 mod sum;
+mod summary;
 
 pub use angle::AngleSummary;
 pub use histogram::Histogram;
 pub use statistics::Statistics;
+pub use summary::Summary;

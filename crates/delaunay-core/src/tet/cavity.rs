@@ -47,6 +47,14 @@ impl Cavity3 {
         &self.boundary
     }
 
+    /// Becomes a cavity found earlier, of tetrahedra that have not changed since.
+    pub fn assign(&mut self, tets: &[TetId], boundary: &[FacetId]) {
+        self.tets.clear();
+        self.tets.extend_from_slice(tets);
+        self.boundary.clear();
+        self.boundary.extend_from_slice(boundary);
+    }
+
     /// The vertices round the cavity, each once: those that inserting the point would make its
     /// neighbours, the ghost included; ascending.
     #[must_use]

@@ -8,6 +8,7 @@
 //! | all points | `build.rs`, `simplex.rs`, `bulk/`; a few `grow.rs` |
 //! | one point less, or elsewhere | `remove.rs`, `movement.rs` |
 //! | a closed surface and what it encloses | `surface.rs`, `region.rs`, `sweep.rs`, `intersection.rs`, `projection.rs` |
+//! | a part with a fixed boundary | `subcomplex.rs` |
 //! | weighted points | `regular/` |
 //! | points on a plane | `coplanar.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
@@ -50,6 +51,7 @@ mod rim;
 mod sight;
 mod simplex;
 mod star;
+mod subcomplex;
 mod surface;
 mod sweep;
 mod table;
@@ -70,4 +72,5 @@ pub use polyhedron::{ConvexPolyhedron, PolyhedronError, Side};
 pub use region::{Solid, SolidError};
 pub use regular::{Regular3, RegularViolation3};
 pub use rim::Clipper;
+pub use subcomplex::{Patch, Subcomplex3};
 pub use surface::{Surface, SurfaceError};

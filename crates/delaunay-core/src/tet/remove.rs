@@ -88,16 +88,16 @@ impl Delaunay3 {
 }
 
 /// The hole that the star of a vertex leaves.
-struct Hole {
-    star: Vec<TetId>,
+pub(super) struct Hole {
+    pub(super) star: Vec<TetId>,
     /// The facets round the hole, each by its outer side.
-    outer: Vec<FacetId>,
+    pub(super) outer: Vec<FacetId>,
     /// The vertices round the hole, each once, without the ghost.
-    real: Vec<VertexId>,
+    pub(super) real: Vec<VertexId>,
 }
 
 impl Hole {
-    fn of(mesh: &TetMesh, v: VertexId) -> Self {
+    pub(super) fn of(mesh: &TetMesh, v: VertexId) -> Self {
         let (mut star, mut outer) = (Vec::new(), Vec::new());
         let mut real = Vec::new();
         for facet in mesh.link(v) {
@@ -117,7 +117,7 @@ impl Hole {
     }
 
     /// The patch for a hole whose vertex was at `p`: the cavity of `p` among the vertices of the link.
-    fn cavity_in(&self, link: &Delaunay3, p: DVec3) -> Vec<[VertexId; 4]> {
+    pub(super) fn cavity_in(&self, link: &Delaunay3, p: DVec3) -> Vec<[VertexId; 4]> {
         // Slot 0 is the ghost in both numberings.
         let name = |v: VertexId| match v.slot().checked_sub(1) {
             Some(index) => self.real[index],

@@ -1,0 +1,82 @@
+//! The solids of the paper refined by every method: tetrahedra, ratios and work, beside the paper's counts.
+//!
+//! `cargo run --release -p sink-refine --example refine_solid [SET...]`
+#![allow(clippy::print_stdout)]
+
+use delaunay_core::measure::Summary;
+use delaunay_core::measure::tetrahedron::radius_edge_ratio;
+use delaunay_core::progress::silent;
+use delaunay_core::{BuildOptions, Subcomplex3, Surface, VertexId};
+use fixtures::surfaces::{self, Triangles};
+use sink_refine::{Candidate, Coarsening, Method, Params, Schedule, refine3};
+use std::error::Error;
+use std::time::Instant;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let wanted: Vec<String> = std::env::args().skip(1).collect();
+    let sets: [(&str, fn() -> Triangles); 4] = [
+        ("cuboctahedron", surfaces::cuboctahedron),
+        ("paraboloid", surfaces::paraboloid),
+        ("star", surfaces::star),
+        ("head", surfaces::head),
+    ];
+    for (name, set) in sets {
+        if wanted.is_empty() || wanted.iter().any(|w| w == name) {
+            refine_all_ways(name, set())?;
+        }
+    }
+    Ok(())
+}
+
+fn refine_all_ways(name: &str, set: Triangles) -> Result<(), Box<dyn Error>> {
+    let triangles = set.triangles.iter().map(|t| t.map(VertexId::new));
+    let surface = Surface::new(set.points, triangles.collect())?;
+    let solid = surface.solid(BuildOptions::default(), &mut silent)?;
+    let solid = Subcomplex3::of(solid.delaunay(), |t| solid.is_inside(t));
+    println!("{name}: {} tetrahedra", solid.tets().count());
+    for (what, method) in methods() {
+        let params = Params {
+            method,
+            ..Params::default()
+        };
+        let start = Instant::now();
+        let outcome = refine3(solid.clone(), &params, &mut silent)?;
+        let seconds = start.elapsed().as_secs_f64();
+        let solid = &outcome.solid;
+        let ratios = solid
+            .tets()
+            .map(|t| radius_edge_ratio(solid.tetrahedron(t)));
+        let Some(ratios) = Summary::of(ratios) else {
+            continue;
+        };
+        println!(
+            "{what:24} {:7} tets {:5} low  r/l {:.2} {:.3} {:.3}  {:6} tested {:5} inserted  {seconds:.3} s",
+            ratios.count,
+            outcome.low.len(),
+            ratios.min,
+            ratios.mean,
+            ratios.max,
+            outcome.counters.tested,
+            outcome.counters.inserted,
+        );
+    }
+    Ok(())
+}
+
+fn methods() -> Vec<(String, Method)> {
+    let mut methods = Vec::new();
+    for candidate in [Candidate::Sink, Candidate::Circumcenter] {
+        for schedule in [Schedule::Incremental, Schedule::Block, Schedule::Parallel] {
+            let method = Method::Paper {
+                candidate,
+                schedule,
+            };
+            methods.push((format!("{candidate:?}, {schedule:?}"), method));
+        }
+    }
+    for coarsening in [Coarsening::None, Coarsening::Removal, Coarsening::Merging] {
+        let method = Method::Economical(coarsening);
+        methods.push((format!("Economical, {coarsening:?}"), method));
+    }
+    methods
+}

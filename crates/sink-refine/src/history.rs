@@ -1,0 +1,37 @@
+//! What a refinement did (§5): counts of work, and sizes and qualities round by round.
+
+/// Counts of work done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Points whose prestar was searched and tested.
+    pub tested: usize,
+    /// Points that the boundary test rejected (§5.1).
+    pub encroaching: usize,
+    /// Points inserted.
+    pub inserted: usize,
+    /// Vertices removed.
+    pub removed: usize,
+}
+
+/// The mesh before a round, and what the round did.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Round {
+    /// Vertices, those of the boundary included.
+    pub vertices: usize,
+    /// Triangles or tetrahedra.
+    pub elements: usize,
+    /// Elements of low quality.
+    pub low: usize,
+    /// Different candidates of those elements: their sinks, or circumcenters.
+    pub candidates: usize,
+    /// Candidates that passed the boundary test.
+    pub passed: usize,
+    /// Points inserted: those of the block, or of the independent subset.
+    pub inserted: usize,
+    /// Smallest r/l of an element.
+    pub min_ratio: f64,
+    /// Mean of r/l.
+    pub mean_ratio: f64,
+    /// Largest r/l.
+    pub max_ratio: f64,
+}

@@ -1,0 +1,110 @@
+//! The points to insert for a tetrahedron of low quality: its sinks or its circumcenter.
+
+use super::flow::FlowWalk;
+use super::records::{Records, Stamp};
+use crate::params::Candidate;
+use delaunay_core::measure::tetrahedron::circumcenter;
+use delaunay_core::{Subcomplex3, TetId};
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// The circumcenter of a tetrahedron: of one of low quality, or of a sink tetrahedron.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Site {
+    pub(crate) tet: TetId,
+    pub(crate) stamp: Stamp,
+}
+
+impl Site {
+    pub(crate) fn of(tet: TetId, records: &Records) -> Self {
+        let stamp = records.stamp(tet);
+        Self { tet, stamp }
+    }
+
+    /// Whether its tetrahedron is still there.
+    pub(crate) fn is_there(&self, records: &Records) -> bool {
+        records.stamp(self.tet) == self.stamp
+    }
+
+    pub(crate) fn point(&self, solid: &Subcomplex3) -> DVec3 {
+        circumcenter(solid.tetrahedron(self.tet))
+    }
+}
+
+/// Finds candidates, and remembers which were rejected: a point inside the diametral sphere of a boundary facet stays
+/// there as long as its tetrahedron does.
+#[derive(Clone, Debug)]
+pub(crate) struct Candidates {
+    kind: Candidate,
+    /// By tetrahedron.
+    rejected: Vec<Option<Stamp>>,
+}
+
+impl Candidates {
+    pub(crate) fn new(kind: Candidate) -> Self {
+        Self {
+            kind,
+            rejected: Vec::new(),
+        }
+    }
+
+    /// The candidates of a tetrahedron that have not been rejected.
+    pub(crate) fn of<'a>(
+        &'a self,
+        solid: &Subcomplex3,
+        records: &'a Records,
+        walk: &'a mut FlowWalk,
+        t: TetId,
+    ) -> impl Iterator<Item = Site> + 'a {
+        let tets = match self.kind {
+            Candidate::Circumcenter => walk.stay(t),
+            Candidate::Sink => walk.follow(solid, t, |t| records.flow(t)),
+        };
+        let sites = tets.iter().map(|&tet| Site::of(tet, records));
+        sites.filter(|site| !self.is_rejected(site))
+    }
+
+    /// The candidates of all tetrahedra of low quality, each once; those of the worst tetrahedra first.
+    pub(crate) fn all(&self, solid: &Subcomplex3, records: &Records) -> Vec<Site> {
+        const CHUNK: usize = 1 << 12;
+        let slots: Vec<usize> = (0..solid.mesh().tet_slots()).step_by(CHUNK).collect();
+        let found: Vec<Vec<(Site, f64)>> = slots
+            .into_par_iter()
+            .map_init(FlowWalk::default, |walk, first| {
+                let mut found = Vec::new();
+                for t in (first..records.slots().min(first + CHUNK)).map(TetId::new) {
+                    if records.is_low(t) {
+                        let ratio = records.squared_ratio(t);
+                        let sites = self.of(solid, records, walk, t);
+                        found.extend(sites.map(|site| (site, ratio)));
+                    }
+                }
+                found
+            })
+            .collect();
+        let mut worst = vec![0.0_f64; solid.mesh().tet_slots()];
+        let mut sites = Vec::new();
+        for (site, ratio) in found.into_iter().flatten() {
+            let known = &mut worst[site.tet.index()];
+            if *known == 0.0 {
+                sites.push(site);
+            }
+            *known = known.max(ratio);
+        }
+        let worst = |site: &Site| worst[site.tet.index()];
+        sites.par_sort_unstable_by(|a, b| worst(b).total_cmp(&worst(a)).then(a.tet.cmp(&b.tet)));
+        sites
+    }
+
+    pub(crate) fn reject(&mut self, site: Site) {
+        let index = site.tet.index();
+        if self.rejected.len() <= index {
+            self.rejected.resize(index + 1, None);
+        }
+        self.rejected[index] = Some(site.stamp);
+    }
+
+    fn is_rejected(&self, site: &Site) -> bool {
+        self.rejected.get(site.tet.index()) == Some(&Some(site.stamp))
+    }
+}

@@ -1,0 +1,181 @@
+//! Tetrahedra for which no candidate passed the tests: other points are tried, and taken when there are fewer low
+//! tetrahedra with them.
+//!
+//! 1. Points that a boundary facet rejected slide out of its diametral sphere.
+//! 2. Random points near the tetrahedron.
+//! 3. The same without the boundary test: then a boundary facet may have a vertex inside its diametral sphere. The boundary
+//!    itself stays in any case.
+//!
+//! Each point lowers the number of low tetrahedra, so there are no more of them than there were leftovers.
+
+use super::super::flow::FlowWalk;
+use super::super::proposal::{Proposal, Rejection3};
+use super::super::refiner::Refiner;
+use super::gain::Gain;
+use super::greedy::candidates;
+use super::off_center::OffCenters;
+use crate::stop::Stop;
+use delaunay_core::measure::facet::circumcenter;
+use delaunay_core::{FacetId, TetId};
+use glam::DVec3;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// How often a point slides from one facet to the next.
+const SLIDES: usize = 3;
+
+/// What is tried.
+#[derive(Clone, Copy)]
+struct Effort {
+    /// Random points for a tetrahedron.
+    trials: usize,
+    respects_spheres: bool,
+}
+
+const EFFORTS: [Effort; 3] = [
+    Effort {
+        trials: 0,
+        respects_spheres: true,
+    },
+    Effort {
+        trials: 40,
+        respects_spheres: true,
+    },
+    Effort {
+        trials: 40,
+        respects_spheres: false,
+    },
+];
+
+pub(super) fn run(refiner: &mut Refiner<'_>) -> Result<(), Stop> {
+    for effort in EFFORTS {
+        Cure::new(effort).all(refiner)?;
+    }
+    Ok(())
+}
+
+/// Room for curing.
+struct Cure {
+    effort: Effort,
+    walk: FlowWalk,
+    candidates: Vec<(DVec3, TetId)>,
+    best: Proposal,
+    best_gain: Gain,
+}
+
+impl Cure {
+    fn new(effort: Effort) -> Self {
+        Self {
+            effort,
+            walk: FlowWalk::default(),
+            candidates: Vec::new(),
+            best: Proposal::default(),
+            best_gain: Gain::default(),
+        }
+    }
+
+    /// Tries all leftovers, the worst first, until none of them can be cured.
+    fn all(&mut self, refiner: &mut Refiner<'_>) -> Result<(), Stop> {
+        loop {
+            refiner.worklist.resume(&refiner.records);
+            let before = refiner.counters.inserted;
+            while let Some(tet) = refiner.worklist.next(&refiner.records) {
+                self.one(refiner, tet)?;
+            }
+            if refiner.counters.inserted == before {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Inserts the best point for a tetrahedron, or puts the tetrahedron aside.
+    fn one(&mut self, refiner: &mut Refiner<'_>, tet: TetId) -> Result<(), Stop> {
+        self.best_gain = Gain::default();
+        let off = OffCenters::of(refiner.solid.tetrahedron(tet));
+        candidates(refiner, &mut self.walk, tet, &off, &mut self.candidates);
+        self.add_random_points(refiner, tet);
+        for i in 0..self.candidates.len() {
+            let (point, seed) = self.candidates[i];
+            self.slide(refiner, point, seed, off.shortest);
+        }
+        let stamp = refiner.records.stamp(tet);
+        if self.best_gain.low < 0 {
+            refiner.insert(&mut self.best)?;
+        }
+        if refiner.records.stamp(tet) == stamp {
+            refiner.worklist.park(&refiner.records, tet);
+        }
+        Ok(())
+    }
+
+    /// Tries a point, and where it slides to.
+    fn slide(&mut self, refiner: &mut Refiner<'_>, mut point: DVec3, seed: TetId, separation: f64) {
+        for _ in 0..=SLIDES {
+            let tested = match self.effort.respects_spheres {
+                true => refiner.propose(point, seed, separation),
+                false => refiner.propose_anywhere(point, seed),
+            };
+            match tested {
+                Ok(()) => return self.keep_if_better(refiner),
+                Err(Rejection3::Encroaches(facet)) => {
+                    point = outside_diametral_sphere(refiner, facet, point);
+                }
+                Err(_) => return,
+            }
+        }
+    }
+
+    fn keep_if_better(&mut self, refiner: &mut Refiner<'_>) {
+        let gain = Gain::of(&refiner.solid, &refiner.records, &refiner.proposal);
+        let best = (self.best_gain.low, self.best_gain.excess);
+        if gain.low < 0 && (gain.low, gain.excess) < best {
+            self.best_gain = gain;
+            std::mem::swap(&mut self.best, &mut refiner.proposal);
+        }
+    }
+
+    /// Adds random points in the tetrahedron and its neighbours, the same ones whenever it comes.
+    fn add_random_points(&mut self, refiner: &Refiner<'_>, tet: TetId) {
+        let mesh = refiner.solid.mesh();
+        let around = tet.facets().map(|f| mesh.twin(f).tet());
+        let around = around.into_iter().filter(|&t| !mesh.is_ghost_tet(t));
+        let homes: Vec<TetId> = std::iter::once(tet).chain(around).collect();
+        let mut rng = ChaCha8Rng::seed_from_u64(fingerprint(refiner.solid.tetrahedron(tet)));
+        for trial in 0..self.effort.trials {
+            let home = homes[trial % homes.len()];
+            let corners = refiner.solid.tetrahedron(home);
+            let shares: [f64; 4] = std::array::from_fn(|_| rng.random_range(0.01..1.0));
+            let total: f64 = shares.iter().sum();
+            let weighted = corners.into_iter().zip(shares);
+            let point = weighted
+                .map(|(corner, share)| corner * (share / total))
+                .sum();
+            self.candidates.push((point, home));
+        }
+    }
+}
+
+/// A number that depends on the places of the corners alone, not on their order.
+fn fingerprint(corners: [DVec3; 4]) -> u64 {
+    let coordinates = corners.iter().flat_map(|corner| corner.to_array());
+    let mixed = coordinates.map(|x| {
+        x.to_bits()
+            .wrapping_mul(0x9e37_79b9_7f4a_7c15)
+            .rotate_left(31)
+    });
+    mixed.fold(0, u64::wrapping_add)
+}
+
+/// `point` moved just out of the diametral sphere of a boundary facet, to the inside.
+fn outside_diametral_sphere(refiner: &Refiner<'_>, facet: FacetId, point: DVec3) -> DVec3 {
+    const OUT: f64 = 1.0001;
+    let [a, b, c] = refiner.solid.triangle(facet);
+    let center = circumcenter([a, b, c]);
+    let inward = (c - a).cross(b - a).normalize_or_zero();
+    let way = point - center;
+    let direction = match way.dot(inward) > 0.0 {
+        true => way.normalize_or(inward),
+        false => inward,
+    };
+    center + direction * (OUT * center.distance(a))
+}

@@ -1,0 +1,35 @@
+//! Fewer points than the paper needs, beyond it: several candidates for each tetrahedron, judged by what they would do;
+//! then what is left is cured, and vertices that are not needed go.
+//!
+//! The phases run once, in this order. [Greedy insertion](greedy) ends because points keep the minimum separation;
+//! [curing](leftovers) because the number of low tetrahedra falls with each point; [removal] and [merging] because the
+//! number of vertices does.
+
+mod gain;
+mod greedy;
+mod leftovers;
+mod merging;
+mod off_center;
+mod removal;
+
+use super::refiner::Refiner;
+use crate::params::Coarsening;
+use crate::stop::Stop;
+
+/// Improves the mesh with few points.
+///
+/// # Errors
+/// Why it ended before all phases were through.
+pub(crate) fn run(refiner: &mut Refiner<'_>, coarsening: Coarsening) -> Result<(), Stop> {
+    let given = refiner.solid.points().len();
+    greedy::run(refiner)?;
+    leftovers::run(refiner)?;
+    if coarsening >= Coarsening::Removal {
+        removal::run(refiner, given)?;
+    }
+    if coarsening >= Coarsening::Merging {
+        merging::run(refiner, given)?;
+        removal::run(refiner, given)?;
+    }
+    Ok(())
+}

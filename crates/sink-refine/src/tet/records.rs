@@ -1,0 +1,139 @@
+//! What is remembered of every tetrahedron: its ratio r/l (§4.3), where the flow leaves it (§3.3), and when it was made.
+
+use super::flow::FlowFacets;
+use delaunay_core::measure::tetrahedron::radius_edge_ratio;
+use delaunay_core::{Subcomplex3, TetId};
+use glam::DVec3;
+
+/// Records of the tetrahedra of a subcomplex.
+#[derive(Clone, Debug)]
+pub(crate) struct Records {
+    bound: f64,
+    /// By tetrahedron.
+    entries: Vec<Entry>,
+    changes: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    squared_ratio: f64,
+    stamp: Stamp,
+    flow: FlowFacets,
+}
+
+/// When a tetrahedron was made: never the same for two tetrahedra that had one id.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Stamp(u32);
+
+impl Entry {
+    const GONE: Self = Self {
+        squared_ratio: 0.0,
+        stamp: Stamp(0),
+        flow: FlowFacets::NONE,
+    };
+}
+
+impl Records {
+    /// The tetrahedra of `solid`, of low quality when r/l exceeds `bound`.
+    pub(crate) fn of(solid: &Subcomplex3, bound: f64) -> Self {
+        let mut records = Self {
+            bound,
+            entries: Vec::new(),
+            changes: 0,
+        };
+        records.examine(solid, solid.tets());
+        records
+    }
+
+    /// Measures tetrahedra that are new.
+    pub(crate) fn examine(&mut self, solid: &Subcomplex3, tets: impl IntoIterator<Item = TetId>) {
+        self.changes += 1;
+        self.entries.resize(solid.mesh().tet_slots(), Entry::GONE);
+        for t in tets {
+            self.entries[t.index()] = Entry {
+                squared_ratio: squared_ratio(solid.tetrahedron(t)),
+                stamp: Stamp(self.changes),
+                flow: FlowFacets::of(solid, t),
+            };
+        }
+    }
+
+    /// Forgets tetrahedra that are gone.
+    pub(crate) fn forget(&mut self, tets: impl IntoIterator<Item = TetId>) {
+        for t in tets {
+            self.entries[t.index()] = Entry::GONE;
+        }
+    }
+
+    /// One more than the greatest id of a tetrahedron.
+    pub(crate) fn slots(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Whether there is a tetrahedron of this id.
+    pub(crate) fn is_there(&self, t: TetId) -> bool {
+        self.entries[t.index()].stamp != Entry::GONE.stamp
+    }
+
+    pub(crate) fn stamp(&self, t: TetId) -> Stamp {
+        self.entries[t.index()].stamp
+    }
+
+    /// The facets through which the flow leaves a tetrahedron.
+    #[inline]
+    pub(crate) fn flow(&self, t: TetId) -> FlowFacets {
+        self.entries[t.index()].flow
+    }
+
+    pub(crate) fn squared_ratio(&self, t: TetId) -> f64 {
+        self.entries[t.index()].squared_ratio
+    }
+
+    pub(crate) fn ratio(&self, t: TetId) -> f64 {
+        self.squared_ratio(t).sqrt()
+    }
+
+    pub(crate) fn is_low(&self, t: TetId) -> bool {
+        self.is_low_ratio(self.squared_ratio(t))
+    }
+
+    /// Whether a squared ratio is one of low quality.
+    pub(crate) fn is_low_ratio(&self, squared_ratio: f64) -> bool {
+        squared_ratio > self.bound * self.bound
+    }
+
+    /// By how much a squared ratio exceeds that of the bound, as a logarithm.
+    pub(crate) fn excess(&self, squared_ratio: f64) -> f64 {
+        (squared_ratio / (self.bound * self.bound)).ln()
+    }
+
+    /// The bound on r/l.
+    pub(crate) fn bound(&self) -> f64 {
+        self.bound
+    }
+}
+
+/// The square of r/l of a tetrahedron.
+///
+/// r = |n| / 2d with `n` the vector towards the circumcenter and `d` the determinant of the edges from one corner.
+#[inline]
+pub(crate) fn squared_ratio(corners: [DVec3; 4]) -> f64 {
+    let [a, b, c, d] = corners;
+    let [u, v, w] = [b - a, c - a, d - a];
+    let [uu, vv, ww] = [u, v, w].map(DVec3::length_squared);
+    let (vw, wu, uv) = (v.cross(w), w.cross(u), u.cross(v));
+    let toward_center = uu * vw + vv * wu + ww * uv;
+    let determinant = u.dot(vw);
+    let others = [v - u, w - v, u - w].map(DVec3::length_squared);
+    let shortest = [vv, ww, others[0], others[1], others[2]]
+        .into_iter()
+        .fold(uu, f64::min);
+    let divisor = 4.0 * determinant * determinant * shortest;
+    let squared = toward_center.length_squared() / divisor;
+    // Beyond these sizes doubles run out.
+    if divisor > 1e-250 && squared < 1e250 {
+        squared
+    } else {
+        radius_edge_ratio(corners).powi(2)
+    }
+}

@@ -1,0 +1,113 @@
+//! Refinement of a solid: the driver, and what it answers.
+
+use super::economical;
+use super::low::{Low3, left_over};
+use super::records::Records;
+use super::refiner::Refiner;
+use super::schedule;
+use super::separation::{Separation3, shortest_edge, vertex_bound};
+use crate::error::RefineError;
+use crate::history::{Counters, Round};
+use crate::params::{Method, Params};
+use crate::stop::Stop;
+use delaunay_core::Subcomplex3;
+use delaunay_core::progress::{Meter, Progress};
+use std::ops::ControlFlow;
+
+/// A refined solid, and how it came about.
+#[derive(Clone, Debug)]
+pub struct Outcome3 {
+    /// The mesh. Its boundary is the one given.
+    pub solid: Subcomplex3,
+    /// Why no more points were inserted.
+    pub stop: Stop,
+    /// Counts of work done.
+    pub counters: Counters,
+    /// The mesh before each round, and what the round did; of the incremental schedules, before each pass. The last entry
+    /// is the mesh that comes out.
+    pub rounds: Vec<Round>,
+    /// The tetrahedra of low quality that are left, worst first.
+    pub low: Vec<Low3>,
+    /// How near vertices are to each other, and how many there can be.
+    pub separation: Separation3,
+}
+
+/// Improves the tetrahedra of `solid` by inserting points. The boundary stays as it is.
+///
+/// The same input gives the same mesh, bit for bit, for any number of threads; the parallel schedule uses those of the
+/// current rayon pool. Inserted vertices have ids from the number of given points on. Every point of the paper's method
+/// keeps the minimum separation, so it ends; the phases beyond it end as said in the module. Whatever the
+/// reason to stop, the mesh is valid.
+///
+/// # Errors
+/// [`RefineError::Ratio`] when the ratio is below 1 or no number; [`RefineError::Cancelled`] when `report` stops the work
+/// before it has begun. Later it ends with [`Stop::Cancelled`].
+///
+/// ```
+/// use delaunay_core::{Delaunay3, Subcomplex3, progress::silent};
+/// use glam::DVec3;
+/// use sink_refine::{Params, Stop, refine3};
+///
+/// // The corners of a regular dodecahedron, all on one sphere: tetrahedra between them are poor.
+/// let golden = (1.0 + 5f64.sqrt()) / 2.0;
+/// let mut points: Vec<DVec3> = Vec::new();
+/// for (s, t) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+///     points.extend([DVec3::new(s, t, 1.0), DVec3::new(s, t, -1.0)]);
+///     let [a, b] = [s / golden, t * golden];
+///     points.extend([DVec3::new(0.0, a, b), DVec3::new(a, b, 0.0), DVec3::new(b, 0.0, a)]);
+/// }
+/// let solid = Subcomplex3::of(&Delaunay3::build(&points)?, |_| true);
+/// let params = Params { ratio: 1.2, ..Params::default() };
+/// let outcome = refine3(solid, &params, &mut silent)?;
+/// assert_eq!(outcome.stop, Stop::AllGood);
+/// assert_eq!(outcome.low, []);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn refine3(
+    solid: Subcomplex3,
+    params: &Params,
+    report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Outcome3, RefineError> {
+    let ratio = params.ratio;
+    if !(1.0..f64::INFINITY).contains(&ratio) {
+        return Err(RefineError::Ratio { ratio });
+    }
+    let meter = Meter::start(report, "refine", 0)?;
+    let given = shortest_edge(&solid);
+    let vertex_bound = vertex_bound(&solid, given);
+    let records = Records::of(&solid, ratio);
+    let mut refiner = Refiner::new(solid, records, params.max_new_vertices, meter);
+    let ended = match params.method {
+        Method::Paper {
+            candidate,
+            schedule,
+        } => schedule::run(&mut refiner, candidate, schedule),
+        Method::Economical(coarsening) => economical::run(&mut refiner, coarsening),
+    };
+    refiner.begin_round();
+    let low = left_over(&refiner.solid, &refiner.records);
+    let stop = match ended {
+        Err(stop) => stop,
+        Ok(()) if low.is_empty() => Stop::AllGood,
+        Ok(()) => Stop::NothingToInsert,
+    };
+    let Refiner {
+        solid,
+        counters,
+        rounds,
+        ..
+    } = refiner;
+    let separation = Separation3 {
+        given,
+        reached: shortest_edge(&solid),
+        vertex_bound,
+    };
+    Ok(Outcome3 {
+        solid,
+        stop,
+        counters,
+        rounds,
+        low,
+        separation,
+    })
+}

@@ -1,0 +1,154 @@
+//! A mesh on its way: the subcomplex, the quality of its tetrahedra, and those that wait to be improved.
+
+use super::proposal::{Proposal, Rejection3};
+use super::records::Records;
+use super::worklist::Worklist;
+use crate::history::{Counters, Round};
+use crate::stop::Stop;
+use delaunay_core::measure::Summary;
+use delaunay_core::progress::Meter;
+use delaunay_core::{Patch, Subcomplex3, TetId, VertexId};
+use glam::DVec3;
+
+/// The state that all schedules share.
+#[derive(Debug)]
+pub(crate) struct Refiner<'a> {
+    pub(crate) solid: Subcomplex3,
+    pub(crate) records: Records,
+    pub(crate) worklist: Worklist,
+    pub(crate) counters: Counters,
+    pub(crate) rounds: Vec<Round>,
+    /// The point tested last.
+    pub(crate) proposal: Proposal,
+    /// Vertices that may still be added.
+    budget: usize,
+    meter: Meter<'a>,
+    gone: Vec<TetId>,
+}
+
+impl<'a> Refiner<'a> {
+    pub(crate) fn new(
+        solid: Subcomplex3,
+        records: Records,
+        budget: usize,
+        meter: Meter<'a>,
+    ) -> Self {
+        let mut worklist = Worklist::default();
+        worklist.examine(&records, solid.tets());
+        Self {
+            solid,
+            records,
+            worklist,
+            counters: Counters::default(),
+            rounds: Vec::new(),
+            proposal: Proposal::default(),
+            budget,
+            meter,
+            gone: Vec::new(),
+        }
+    }
+
+    /// Tests a point, see [`Proposal::make`].
+    pub(crate) fn propose(
+        &mut self,
+        point: DVec3,
+        seed: TetId,
+        separation: f64,
+    ) -> Result<(), Rejection3> {
+        let made = self.proposal.make(&self.solid, point, seed, separation);
+        self.count_test(made.err());
+        made
+    }
+
+    /// Tests a point without the boundary test.
+    pub(crate) fn propose_anywhere(&mut self, point: DVec3, seed: TetId) -> Result<(), Rejection3> {
+        self.counters.tested += 1;
+        self.proposal.make_anywhere(&self.solid, point, seed)
+    }
+
+    /// Counts a point that was tested elsewhere.
+    pub(crate) fn count_test(&mut self, rejection: Option<Rejection3>) {
+        self.counters.tested += 1;
+        self.counters.encroaching +=
+            usize::from(matches!(rejection, Some(Rejection3::Encroaches(_))));
+    }
+
+    /// Inserts the point tested last.
+    pub(crate) fn insert_proposed(&mut self) -> Result<VertexId, Stop> {
+        let mut proposal = std::mem::take(&mut self.proposal);
+        let inserted = self.insert(&mut proposal);
+        self.proposal = proposal;
+        inserted
+    }
+
+    /// Inserts a point that has passed its tests since the mesh has changed last; its prestar becomes its star.
+    ///
+    /// # Errors
+    /// Why no more points are inserted; the mesh is as before then, but when cancelled.
+    pub(crate) fn insert(&mut self, proposal: &mut Proposal) -> Result<VertexId, Stop> {
+        if self.budget == 0 {
+            return Err(Stop::OutOfVertices);
+        }
+        self.gone.clear();
+        self.gone.extend_from_slice(proposal.prestar.tets());
+        let filled = self.solid.fill(proposal.point, &mut proposal.prestar);
+        let vertex = filled.ok_or(Stop::OutOfIds)?;
+        self.budget -= 1;
+        self.counters.inserted += 1;
+        self.records.forget(self.gone.drain(..));
+        self.examine(proposal.prestar.tets());
+        self.meter.advance()?;
+        Ok(vertex)
+    }
+
+    /// Removes the vertex of a patch just found. Gives the new tetrahedra; `None`, with nothing changed, when they do not
+    /// fill the hole.
+    ///
+    /// # Errors
+    /// When cancelled.
+    pub(crate) fn remove(&mut self, patch: &Patch) -> Result<Option<Vec<TetId>>, Stop> {
+        let Some(tets) = self.solid.remove(patch) else {
+            return Ok(None);
+        };
+        self.budget = self.budget.saturating_add(1);
+        self.counters.removed += 1;
+        self.records.forget(patch.star().iter().copied());
+        self.examine(&tets);
+        self.meter.advance()?;
+        Ok(Some(tets))
+    }
+
+    /// Measures new tetrahedra and puts those of low quality on the worklist.
+    pub(crate) fn examine(&mut self, tets: &[TetId]) {
+        self.records.examine(&self.solid, tets.iter().copied());
+        self.worklist.examine(&self.records, tets.iter().copied());
+    }
+
+    /// Starts a round: takes down the size and quality of the mesh.
+    pub(crate) fn begin_round(&mut self) -> &mut Round {
+        let ratios = self.solid.tets().map(|t| self.records.ratio(t));
+        let low = self.solid.tets().filter(|&t| self.records.is_low(t));
+        let mut round = Round {
+            vertices: self.solid.vertex_count(),
+            low: low.count(),
+            ..Round::default()
+        };
+        if let Some(ratios) = Summary::of(ratios) {
+            round.elements = ratios.count;
+            round.min_ratio = ratios.min;
+            round.mean_ratio = ratios.mean;
+            round.max_ratio = ratios.max;
+        }
+        self.rounds.push(round);
+        self.round()
+    }
+
+    /// The round begun last.
+    pub(crate) fn round(&mut self) -> &mut Round {
+        if self.rounds.is_empty() {
+            self.rounds.push(Round::default());
+        }
+        let last = self.rounds.len() - 1;
+        &mut self.rounds[last]
+    }
+}

@@ -1,0 +1,98 @@
+//! In blocks of points whose spheres are orthogonal or farther apart (§4.5).
+//!
+//! A block is a maximal set of candidates that pass the boundary test and whose spheres are mutually orthogonal or
+//! further than orthogonal. Then none of its points is inside the sphere of another, so each of their tetrahedra is
+//! still there when its turn comes.
+
+use super::super::candidate::{Candidates, Site};
+use super::super::independence::are_orthogonal_or_further;
+use super::super::refiner::Refiner;
+use crate::params::Candidate;
+use crate::stop::Stop;
+use delaunay_core::measure::tetrahedron::circumradius;
+use glam::DVec3;
+use rstar::RTree;
+use rstar::primitives::GeomWithData;
+
+/// A candidate with its sphere.
+struct Sphere {
+    site: Site,
+    center: DVec3,
+    radius: f64,
+}
+
+pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop> {
+    let mut candidates = Candidates::new(kind);
+    loop {
+        refiner.begin_round();
+        let sites = candidates.all(&refiner.solid, &refiner.records);
+        let block = orthogonal_subset(refiner, &mut candidates, &sites);
+        let round = refiner.round();
+        round.candidates = sites.len();
+        round.inserted = block.len();
+        if block.is_empty() {
+            return Ok(());
+        }
+        for Sphere { site, center, .. } in block {
+            // Rounding of a center, or a tie, may let a neighbour in the block spoil it.
+            if site.is_there(&refiner.records) && refiner.propose(center, site.tet, 0.0).is_ok() {
+                refiner.insert_proposed()?;
+            }
+        }
+    }
+}
+
+/// A maximal subset of the candidates that pass the boundary test with spheres that are mutually orthogonal or further
+/// than orthogonal, earlier ones first.
+fn orthogonal_subset(
+    refiner: &mut Refiner<'_>,
+    candidates: &mut Candidates,
+    sites: &[Site],
+) -> Vec<Sphere> {
+    let mut block = Block::default();
+    for &site in sites {
+        let sphere = Sphere {
+            site,
+            center: site.point(&refiner.solid),
+            radius: circumradius(refiner.solid.tetrahedron(site.tet)),
+        };
+        if block.has_room_for(&sphere) {
+            match refiner.propose(sphere.center, site.tet, 0.0) {
+                Ok(()) => block.push(sphere),
+                Err(_) => candidates.reject(site),
+            }
+        }
+    }
+    block.spheres
+}
+
+/// Spheres that are mutually orthogonal or further than orthogonal.
+#[derive(Default)]
+struct Block {
+    spheres: Vec<Sphere>,
+    /// With their radii.
+    centers: RTree<GeomWithData<[f64; 3], f64>>,
+    largest_square: f64,
+}
+
+impl Block {
+    fn has_room_for(&self, sphere: &Sphere) -> bool {
+        let square = sphere.radius * sphere.radius;
+        let near = self
+            .centers
+            .locate_within_distance(sphere.center.to_array(), square + self.largest_square);
+        near.into_iter().all(|other| {
+            let other = (DVec3::from(*other.geom()), other.data);
+            are_orthogonal_or_further(other, (sphere.center, sphere.radius))
+        })
+    }
+
+    fn push(&mut self, sphere: Sphere) {
+        let square = sphere.radius * sphere.radius;
+        let center = sphere.center.to_array();
+        self.centers
+            .insert(GeomWithData::new(center, sphere.radius));
+        self.largest_square = self.largest_square.max(square);
+        self.spheres.push(sphere);
+    }
+}
