@@ -63,7 +63,7 @@ impl FlowGraph3 {
             .map(|&(_, from)| from)
     }
 
-    /// The tetrahedra from which the flow reaches `t`, itself among them, by id: A_σ in §3.3. Linear in their number, times
+    /// The tetrahedra from which the flow reaches `t`, itself among them, by id: the ancestors of §3.3. Linear in their number, times
     /// a logarithm.
     #[must_use]
     pub fn ancestors(&self, t: TetId) -> Vec<TetId> {

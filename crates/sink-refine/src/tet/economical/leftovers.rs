@@ -157,7 +157,7 @@ impl Cure {
 
 /// A number that depends on the places of the corners alone, not on their order.
 fn fingerprint(corners: [DVec3; 4]) -> u64 {
-    let coordinates = corners.iter().flat_map(|corner| corner.to_array());
+    let coordinates = corners.iter().flat_map(DVec3::to_array);
     let mixed = coordinates.map(|x| {
         x.to_bits()
             .wrapping_mul(0x9e37_79b9_7f4a_7c15)
