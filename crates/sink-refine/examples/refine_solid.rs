@@ -14,7 +14,8 @@ use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let wanted: Vec<String> = std::env::args().skip(1).collect();
-    let sets: [(&str, fn() -> Triangles); 4] = [
+    type Set = (&'static str, fn() -> Triangles);
+    let sets: [Set; 4] = [
         ("cuboctahedron", surfaces::cuboctahedron),
         ("paraboloid", surfaces::paraboloid),
         ("star", surfaces::star),

@@ -2,6 +2,7 @@
 
 use super::flow::FlowWalk;
 use super::records::{Records, Stamp};
+use super::watershed::Watersheds;
 use crate::params::Candidate;
 use delaunay_core::measure::tetrahedron::circumcenter;
 use delaunay_core::{Subcomplex3, TetId};
@@ -26,6 +27,13 @@ impl Site {
         records.stamp(self.tet) == self.stamp
     }
 
+    /// The circumsphere of its tetrahedron.
+    pub(crate) fn sphere(&self, solid: &Subcomplex3) -> (DVec3, f64) {
+        let corners = solid.tetrahedron(self.tet);
+        let center = circumcenter(corners);
+        (center, center.distance(corners[0]))
+    }
+
     pub(crate) fn point(&self, solid: &Subcomplex3) -> DVec3 {
         circumcenter(solid.tetrahedron(self.tet))
     }
@@ -38,6 +46,7 @@ pub(crate) struct Candidates {
     kind: Candidate,
     /// By tetrahedron.
     rejected: Vec<Option<Stamp>>,
+    watersheds: Watersheds,
 }
 
 impl Candidates {
@@ -45,6 +54,7 @@ impl Candidates {
         Self {
             kind,
             rejected: Vec::new(),
+            watersheds: Watersheds::default(),
         }
     }
 
@@ -65,35 +75,14 @@ impl Candidates {
     }
 
     /// The candidates of all tetrahedra of low quality, each once; those of the worst tetrahedra first.
-    pub(crate) fn all(&self, solid: &Subcomplex3, records: &Records) -> Vec<Site> {
-        const CHUNK: usize = 1 << 12;
-        let slots: Vec<usize> = (0..solid.mesh().tet_slots()).step_by(CHUNK).collect();
-        let found: Vec<Vec<(Site, f64)>> = slots
-            .into_par_iter()
-            .map_init(FlowWalk::default, |walk, first| {
-                let mut found = Vec::new();
-                for t in (first..records.slots().min(first + CHUNK)).map(TetId::new) {
-                    if records.is_low(t) {
-                        let ratio = records.squared_ratio(t);
-                        let sites = self.of(solid, records, walk, t);
-                        found.extend(sites.map(|site| (site, ratio)));
-                    }
-                }
-                found
-            })
-            .collect();
-        let mut worst = vec![0.0_f64; solid.mesh().tet_slots()];
-        let mut sites = Vec::new();
-        for (site, ratio) in found.into_iter().flatten() {
-            let known = &mut worst[site.tet.index()];
-            if *known == 0.0 {
-                sites.push(site);
-            }
-            *known = known.max(ratio);
-        }
-        let worst = |site: &Site| worst[site.tet.index()];
-        sites.par_sort_unstable_by(|a, b| worst(b).total_cmp(&worst(a)).then(a.tet.cmp(&b.tet)));
-        sites
+    pub(crate) fn all(&mut self, solid: &Subcomplex3, records: &Records) -> Vec<Site> {
+        let mut found = match self.kind {
+            Candidate::Sink => self.watersheds.sinks(solid, records),
+            Candidate::Circumcenter => records.all_low(),
+        };
+        found.par_sort_unstable_by(|(s, r), (t, q)| q.total_cmp(r).then(s.cmp(t)));
+        let sites = found.into_iter().map(|(tet, _)| Site::of(tet, records));
+        sites.filter(|site| !self.is_rejected(site)).collect()
     }
 
     pub(crate) fn reject(&mut self, site: Site) {

@@ -31,7 +31,7 @@ impl FlowFacets {
         Self(t.facets().into_iter().map(bit).sum())
     }
 
-    fn successors(self, solid: &Subcomplex3, t: TetId) -> impl Iterator<Item = Successor3> {
+    pub(crate) fn successors(self, solid: &Subcomplex3, t: TetId) -> impl Iterator<Item = Successor3> {
         let facets = t.facets().into_iter();
         let crossed = facets.filter(move |f| self.0 >> f.corner() & 1 == 1);
         crossed.map(|f| match solid.mesh().twin(f).tet() {
@@ -73,6 +73,9 @@ pub fn sink(solid: &Subcomplex3, t: TetId) -> DVec3 {
 #[derive(Clone, Debug, Default)]
 pub struct FlowWalk {
     passed: Vec<TetId>,
+    /// By tetrahedron: the walk that passed it last.
+    seen: Vec<u32>,
+    walks: u32,
     sinks: Vec<TetId>,
     leaves: bool,
 }
@@ -94,7 +97,7 @@ impl FlowWalk {
         t: TetId,
         flow: impl Fn(TetId) -> FlowFacets,
     ) -> &[TetId] {
-        self.passed.clear();
+        self.start(solid.mesh().tet_slots());
         self.passed.push(t);
         self.sinks.clear();
         self.leaves = false;
@@ -107,10 +110,12 @@ impl FlowWalk {
             }
             for successor in facets.successors(solid, here) {
                 match successor {
-                    Successor3::Tet(beyond) if !self.passed.contains(&beyond) => {
-                        self.passed.push(beyond);
+                    Successor3::Tet(beyond) => {
+                        let seen = &mut self.seen[beyond.index()];
+                        if std::mem::replace(seen, self.walks) != self.walks {
+                            self.passed.push(beyond);
+                        }
                     }
-                    Successor3::Tet(_) => {}
                     Successor3::Outside(_) => self.leaves = true,
                 }
             }
@@ -124,6 +129,17 @@ impl FlowWalk {
         self.sinks.clear();
         self.sinks.push(t);
         &self.sinks
+    }
+
+    /// Forgets the last walk.
+    fn start(&mut self, slots: usize) {
+        self.passed.clear();
+        self.walks = self.walks.wrapping_add(1);
+        if self.walks == 0 || self.seen.len() < slots {
+            self.seen.clear();
+            self.seen.resize(slots, 0);
+            self.walks = 1;
+        }
     }
 
     /// Whether some of the flow followed last leaves through the boundary.

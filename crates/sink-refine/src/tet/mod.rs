@@ -7,10 +7,10 @@
 //! | square distances π and φ (§3.1) | `square_distance.rs` |
 //! | stable subcomplex (§5.1) | `stable.rs` |
 //! | prestar, boundary test (§4.1, §5.1) | `proposal.rs` |
-//! | independence, orthogonality (§4.4) | `independence.rs` |
+//! | independence, orthogonality (§4.4) | `independence.rs`, `spheres.rs` |
 //! | minimum separation, number of vertices (§4.4) | `separation.rs` |
 //! | low quality (§4.3) | `records.rs`, `worklist.rs`, `low.rs` |
-//! | sinks or circumcenters | `candidate.rs` |
+//! | sinks or circumcenters | `candidate.rs`, `watershed.rs` |
 //! | schedules (§4.5) | `schedule/` |
 //! | fewer points | `economical/` |
 //! | the driver | `refine.rs`, `refiner.rs` |
@@ -28,7 +28,9 @@ mod refiner;
 mod schedule;
 mod separation;
 mod square_distance;
+mod spheres;
 mod stable;
+mod watershed;
 mod worklist;
 
 pub use flow::{FlowWalk, Successor3, is_sink, sink, successors};

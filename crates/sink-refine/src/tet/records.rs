@@ -97,6 +97,13 @@ impl Records {
         self.is_low_ratio(self.squared_ratio(t))
     }
 
+    /// All tetrahedra of low quality with their squared ratios, by id.
+    pub(crate) fn all_low(&self) -> Vec<(TetId, f64)> {
+        let all = (0..self.slots()).map(TetId::new);
+        let low = all.filter(|&t| self.is_low(t));
+        low.map(|t| (t, self.squared_ratio(t))).collect()
+    }
+
     /// Whether a squared ratio is one of low quality.
     pub(crate) fn is_low_ratio(&self, squared_ratio: f64) -> bool {
         squared_ratio > self.bound * self.bound

@@ -32,6 +32,7 @@ struct Effort {
     respects_spheres: bool,
 }
 
+/// The last one is for a handful of tetrahedra.
 const EFFORTS: [Effort; 3] = [
     Effort {
         trials: 0,
@@ -42,7 +43,7 @@ const EFFORTS: [Effort; 3] = [
         respects_spheres: true,
     },
     Effort {
-        trials: 40,
+        trials: 400,
         respects_spheres: false,
     },
 ];

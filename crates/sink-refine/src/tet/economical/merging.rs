@@ -13,30 +13,56 @@ use crate::stop::Stop;
 use delaunay_core::measure::tetrahedron::circumcenter;
 use delaunay_core::{TetId, VertexId};
 use glam::DVec3;
+use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
 
 /// Nearest neighbours that a vertex is merged with, at most.
-const PARTNERS: usize = 4;
+const PARTNERS: usize = 6;
 
 /// Tetrahedra of low quality whose candidates are tried, at most.
-const CASES: usize = 6;
+const CASES: usize = 3;
 
 /// Merges vertices from number `given` on.
 pub(super) fn run(refiner: &mut Refiner<'_>, given: usize) -> Result<(), Stop> {
     let all = (given..refiner.solid.points().len()).map(VertexId::new);
     let mut waiting: BTreeSet<VertexId> = all.collect();
     let mut merger = Merger::default();
-    while let Some(vertex) = waiting.pop_last() {
+    let mut tried = Tried::default();
+    while let Some(vertex) = waiting.pop_first() {
         for partner in partners(refiner, vertex, given) {
+            if !tried.is_new(vertex, partner) {
+                continue;
+            }
             if merger.merge(refiner, vertex, partner)? {
                 let star = merger.best.prestar.tets().iter();
                 let around = star.flat_map(|&t| refiner.solid.mesh().tet_vertices(t));
-                waiting.extend(around.filter(|v| v.index() >= given));
+                let around = around.filter(|v| v.index() >= given);
+                waiting.extend(around.inspect(|&v| tried.note_change(v)));
                 break;
             }
         }
     }
     Ok(())
+}
+
+/// Pairs that have been tried in vain since the mesh round one of them has changed last.
+#[derive(Default)]
+struct Tried {
+    changes: FxHashMap<VertexId, u32>,
+    pairs: FxHashMap<[VertexId; 2], [u32; 2]>,
+}
+
+impl Tried {
+    /// Whether the pair has not been tried since the last change; it has now.
+    fn is_new(&mut self, u: VertexId, v: VertexId) -> bool {
+        let pair = [u.min(v), u.max(v)];
+        let changes = pair.map(|v| self.changes.get(&v).copied().unwrap_or(0));
+        self.pairs.insert(pair, changes) != Some(changes)
+    }
+
+    fn note_change(&mut self, v: VertexId) {
+        *self.changes.entry(v).or_insert(0) += 1;
+    }
 }
 
 /// The nearest of the inserted neighbours of a vertex, nearest first.

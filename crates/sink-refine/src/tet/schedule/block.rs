@@ -7,12 +7,10 @@
 use super::super::candidate::{Candidates, Site};
 use super::super::independence::are_orthogonal_or_further;
 use super::super::refiner::Refiner;
+use super::super::spheres::Spheres;
 use crate::params::Candidate;
 use crate::stop::Stop;
-use delaunay_core::measure::tetrahedron::circumradius;
 use glam::DVec3;
-use rstar::RTree;
-use rstar::primitives::GeomWithData;
 
 /// A candidate with its sphere.
 struct Sphere {
@@ -51,10 +49,11 @@ fn orthogonal_subset(
 ) -> Vec<Sphere> {
     let mut block = Block::default();
     for &site in sites {
+        let (center, radius) = site.sphere(&refiner.solid);
         let sphere = Sphere {
             site,
-            center: site.point(&refiner.solid),
-            radius: circumradius(refiner.solid.tetrahedron(site.tet)),
+            center,
+            radius,
         };
         if block.has_room_for(&sphere) {
             match refiner.propose(sphere.center, site.tet, 0.0) {
@@ -63,36 +62,27 @@ fn orthogonal_subset(
             }
         }
     }
-    block.spheres
+    block.chosen
 }
 
 /// Spheres that are mutually orthogonal or further than orthogonal.
 #[derive(Default)]
 struct Block {
-    spheres: Vec<Sphere>,
-    /// With their radii.
-    centers: RTree<GeomWithData<[f64; 3], f64>>,
-    largest_square: f64,
+    chosen: Vec<Sphere>,
+    spheres: Spheres,
 }
 
 impl Block {
-    fn has_room_for(&self, sphere: &Sphere) -> bool {
-        let square = sphere.radius * sphere.radius;
-        let near = self
-            .centers
-            .locate_within_distance(sphere.center.to_array(), square + self.largest_square);
-        near.into_iter().all(|other| {
-            let other = (DVec3::from(*other.geom()), other.data);
-            are_orthogonal_or_further(other, (sphere.center, sphere.radius))
-        })
+    fn has_room_for(&self, &Sphere { center, radius, .. }: &Sphere) -> bool {
+        self.spheres.near_all(
+            center,
+            |largest| radius * radius + largest * largest,
+            |other| are_orthogonal_or_further(other, (center, radius)),
+        )
     }
 
     fn push(&mut self, sphere: Sphere) {
-        let square = sphere.radius * sphere.radius;
-        let center = sphere.center.to_array();
-        self.centers
-            .insert(GeomWithData::new(center, sphere.radius));
-        self.largest_square = self.largest_square.max(square);
-        self.spheres.push(sphere);
+        self.spheres.insert(sphere.center, sphere.radius);
+        self.chosen.push(sphere);
     }
 }

@@ -2,13 +2,15 @@
 //!
 //! Each round inserts a maximal subset of the candidates with disjoint closed prestars: in the order of the
 //! candidates, each that shares no vertex with an earlier one. Prestars are searched at the same time, a batch after
-//! the other; a search ends where it meets a vertex that is taken, for then the candidate is not in the subset. The
+//! the other; a search ends where it meets a vertex that is taken, for then the candidate is not in the subset, and does not
+//! begin where the point or a chosen one is inside the other's sphere: then they have prestars in common. The
 //! subset depends on the order alone, so the mesh is the same for any number of threads. By the Independence Lemma none of
 //! its points is inside the circumsphere of another one's prestar.
 
 use super::super::candidate::{Candidates, Site};
 use super::super::proposal::{Proposal, Rejection3};
 use super::super::refiner::Refiner;
+use super::super::spheres::Spheres;
 use crate::params::Candidate;
 use crate::stop::Stop;
 use delaunay_core::{FacetId, Subcomplex3, TetId, VertexId};
@@ -55,10 +57,15 @@ fn independent_subset(
     let mut taken = Taken::none(refiner.solid.points().len());
     let mut chosen = Vec::new();
     let mut waiting = sites.iter().copied();
+    let mut spheres = Spheres::default();
     loop {
         // Where the first few prestars cover most of the mesh, more at the same time would be searched in vain.
         let size = (2 * chosen.len()).clamp(2, BATCH);
-        let is_open = |site: &Site| taken.is_free(refiner.solid.mesh().tet_vertices(site.tet));
+        let solid = &refiner.solid;
+        let is_open = |site: &Site| {
+            taken.is_free(solid.mesh().tet_vertices(site.tet))
+                && is_outside_all(&spheres, site.sphere(solid))
+        };
         let batch: Vec<Site> = waiting.by_ref().filter(is_open).take(size).collect();
         if batch.is_empty() {
             return chosen;
@@ -70,12 +77,25 @@ fn independent_subset(
                     .and_then(|tested| tested.as_ref().err().copied()),
             );
             match tested {
-                Some(Ok(tested)) if taken.take(&refiner.solid, &tested) => chosen.push(tested),
+                Some(Ok(tested)) if taken.take(&refiner.solid, &tested) => {
+                    let (center, radius) = site.sphere(&refiner.solid);
+                    spheres.insert(center, radius);
+                    chosen.push(tested);
+                }
                 Some(Ok(_)) | None => {}
                 Some(Err(_)) => candidates.reject(site),
             }
         }
     }
+}
+
+/// Whether no sphere contains the center of another one, up to rounding: what is said to be inside is so.
+fn is_outside_all(spheres: &Spheres, (center, radius): (DVec3, f64)) -> bool {
+    const INSIDE: f64 = 1.0 - 1e-9;
+    let reach = |largest: f64| largest.max(radius).powi(2);
+    spheres.near_all(center, reach, |(other, its_radius)| {
+        other.distance_squared(center) >= INSIDE * reach(its_radius)
+    })
 }
 
 /// Finds and tests the prestars of candidates; `None` for those that meet a vertex taken.
