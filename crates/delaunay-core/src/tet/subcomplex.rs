@@ -23,8 +23,10 @@ use rustc_hash::FxHashMap;
 
 /// Tetrahedra of a Delaunay triangulation that share a fixed boundary.
 ///
-/// Vertices have the ids that they have in the triangulation. Tetrahedra are Delaunay in the sense that what lies
-/// across the boundary does not count; all have positive volume, exactly.
+/// Vertices have the ids that they have in the triangulation. All tetrahedra have positive volume, exactly, and the
+/// boundary never changes. They stay Delaunay as long as no point is inserted inside the diametral sphere of a boundary
+/// facet that it sees; near such a facet a cavity that ends at the boundary may leave tetrahedra whose spheres
+/// contain a neighbour's vertex.
 ///
 /// ```
 /// use delaunay_core::{Cavity3, Delaunay3, Subcomplex3};

@@ -31,7 +31,11 @@ impl FlowFacets {
         Self(t.facets().into_iter().map(bit).sum())
     }
 
-    pub(crate) fn successors(self, solid: &Subcomplex3, t: TetId) -> impl Iterator<Item = Successor3> {
+    pub(crate) fn successors(
+        self,
+        solid: &Subcomplex3,
+        t: TetId,
+    ) -> impl Iterator<Item = Successor3> {
         let facets = t.facets().into_iter();
         let crossed = facets.filter(move |f| self.0 >> f.corner() & 1 == 1);
         crossed.map(|f| match solid.mesh().twin(f).tet() {

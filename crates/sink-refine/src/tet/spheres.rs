@@ -28,7 +28,9 @@ impl Spheres {
         test: impl Fn((DVec3, f64)) -> bool,
     ) -> bool {
         let reach = squared_reach(self.largest);
-        let near = self.centers.locate_within_distance(center.to_array(), reach);
+        let near = self
+            .centers
+            .locate_within_distance(center.to_array(), reach);
         near.into_iter()
             .all(|sphere| test((DVec3::from(*sphere.geom()), sphere.data)))
     }
