@@ -5,6 +5,7 @@
 mod clouds;
 
 use clouds::space;
+use delaunay_core::geo_predicates::{Sign, orient3d};
 use delaunay_core::measure::tetrahedron::signed_volume;
 use delaunay_core::{Cavity3, Delaunay3, Subcomplex3, TetId, VertexId};
 use glam::DVec3;
@@ -37,7 +38,8 @@ fn assert_sound(solid: &Subcomplex3) {
         assert!([[a, c, b], [c, b, a], [b, a, c]].contains(&mesh.facet_vertices(twin)));
     }
     for t in solid.tets() {
-        assert!(signed_volume(solid.tetrahedron(t)) > 0.0);
+        let [a, b, c, d] = solid.tetrahedron(t);
+        assert_eq!(orient3d(a, b, c, d), Sign::Positive);
     }
 }
 
