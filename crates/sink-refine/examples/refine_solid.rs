@@ -1,6 +1,6 @@
 //! The solids of the paper refined by every method: tetrahedra, ratios and work, beside the paper's counts.
 //!
-//! `cargo run --release -p sink-refine --example refine_solid [SET...]`
+//! `cargo run --release -p sink-refine --example refine_solid [SET [METHOD]]`; parts of names will do.
 #![allow(clippy::print_stdout)]
 
 use delaunay_core::measure::Summary;
@@ -13,7 +13,8 @@ use std::error::Error;
 use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let wanted: Vec<String> = std::env::args().skip(1).collect();
+    let mut wanted = std::env::args().skip(1);
+    let [set_wanted, method_wanted] = [(); 2].map(|()| wanted.next().unwrap_or_default());
     type Set = (&'static str, fn() -> Triangles);
     let sets: [Set; 4] = [
         ("cuboctahedron", surfaces::cuboctahedron),
@@ -22,20 +23,20 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("head", surfaces::head),
     ];
     for (name, set) in sets {
-        if wanted.is_empty() || wanted.iter().any(|w| w == name) {
-            refine_all_ways(name, set())?;
+        if name.contains(&set_wanted) {
+            refine_all_ways(name, set(), &method_wanted)?;
         }
     }
     Ok(())
 }
 
-fn refine_all_ways(name: &str, set: Triangles) -> Result<(), Box<dyn Error>> {
+fn refine_all_ways(name: &str, set: Triangles, wanted: &str) -> Result<(), Box<dyn Error>> {
     let triangles = set.triangles.iter().map(|t| t.map(VertexId::new));
     let surface = Surface::new(set.points, triangles.collect())?;
     let solid = surface.solid(BuildOptions::default(), &mut silent)?;
     let solid = Subcomplex3::of(solid.delaunay(), |t| solid.is_inside(t));
     println!("{name}: {} tetrahedra", solid.tets().count());
-    for (what, method) in methods() {
+    for (what, method) in methods().filter(|(what, _)| what.contains(wanted)) {
         let params = Params {
             method,
             ..Params::default()
@@ -64,7 +65,7 @@ fn refine_all_ways(name: &str, set: Triangles) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn methods() -> Vec<(String, Method)> {
+fn methods() -> impl Iterator<Item = (String, Method)> {
     let mut methods = Vec::new();
     for candidate in [Candidate::Sink, Candidate::Circumcenter] {
         for schedule in [Schedule::Incremental, Schedule::Block, Schedule::Parallel] {
@@ -79,5 +80,5 @@ fn methods() -> Vec<(String, Method)> {
         let method = Method::Economical(coarsening);
         methods.push((format!("Economical, {coarsening:?}"), method));
     }
-    methods
+    methods.into_iter()
 }

@@ -4,6 +4,7 @@ use super::flow::FlowFacets;
 use delaunay_core::measure::tetrahedron::radius_edge_ratio;
 use delaunay_core::{Subcomplex3, TetId};
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// Records of the tetrahedra of a subcomplex.
 #[derive(Clone, Debug)]
@@ -31,6 +32,14 @@ impl Entry {
         stamp: Stamp(0),
         flow: FlowFacets::NONE,
     };
+
+    fn of(solid: &Subcomplex3, t: TetId, stamp: Stamp) -> Self {
+        Self {
+            squared_ratio: squared_ratio(solid.tetrahedron(t)),
+            stamp,
+            flow: FlowFacets::of(solid, t),
+        }
+    }
 }
 
 impl Records {
@@ -41,20 +50,32 @@ impl Records {
             entries: Vec::new(),
             changes: 0,
         };
-        records.examine(solid, solid.tets());
+        let tets: Vec<TetId> = solid.tets().collect();
+        records.examine_together(solid, &tets);
         records
     }
 
     /// Measures tetrahedra that are new.
-    pub(crate) fn examine(&mut self, solid: &Subcomplex3, tets: impl IntoIterator<Item = TetId>) {
+    pub(crate) fn examine(&mut self, solid: &Subcomplex3, tets: &[TetId]) {
         self.changes += 1;
+        let stamp = Stamp(self.changes);
         self.entries.resize(solid.mesh().tet_slots(), Entry::GONE);
-        for t in tets {
-            self.entries[t.index()] = Entry {
-                squared_ratio: squared_ratio(solid.tetrahedron(t)),
-                stamp: Stamp(self.changes),
-                flow: FlowFacets::of(solid, t),
-            };
+        for &t in tets {
+            self.entries[t.index()] = Entry::of(solid, t, stamp);
+        }
+    }
+
+    /// As [`examine`](Self::examine), on all threads.
+    pub(crate) fn examine_together(&mut self, solid: &Subcomplex3, tets: &[TetId]) {
+        self.changes += 1;
+        let stamp = Stamp(self.changes);
+        let chunks = tets.par_chunks(1 << 10);
+        let new: Vec<Vec<Entry>> = chunks
+            .map(|tets| tets.iter().map(|&t| Entry::of(solid, t, stamp)).collect())
+            .collect();
+        self.entries.resize(solid.mesh().tet_slots(), Entry::GONE);
+        for (t, entry) in tets.iter().zip(new.into_iter().flatten()) {
+            self.entries[t.index()] = entry;
         }
     }
 
@@ -95,6 +116,15 @@ impl Records {
 
     pub(crate) fn is_low(&self, t: TetId) -> bool {
         self.is_low_ratio(self.squared_ratio(t))
+    }
+
+    /// The ratios of all tetrahedra, by id.
+    pub(crate) fn ratios(&self) -> impl Iterator<Item = f64> {
+        let there = self
+            .entries
+            .iter()
+            .filter(|entry| entry.stamp != Entry::GONE.stamp);
+        there.map(|entry| entry.squared_ratio.sqrt())
     }
 
     /// All tetrahedra of low quality with their squared ratios, by id.

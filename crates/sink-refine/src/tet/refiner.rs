@@ -86,18 +86,51 @@ impl<'a> Refiner<'a> {
     /// # Errors
     /// Why no more points are inserted; the mesh is as before then, but when cancelled.
     pub(crate) fn insert(&mut self, proposal: &mut Proposal) -> Result<VertexId, Stop> {
-        if self.budget == 0 {
-            return Err(Stop::OutOfVertices);
-        }
         self.gone.clear();
-        self.gone.extend_from_slice(proposal.prestar.tets());
-        let filled = self.solid.fill(proposal.point, &mut proposal.prestar);
-        let vertex = filled.ok_or(Stop::OutOfIds)?;
-        self.budget -= 1;
-        self.counters.inserted += 1;
+        let vertex = self.fill(proposal)?;
         self.records.forget(self.gone.drain(..));
         self.examine(proposal.prestar.tets());
         self.meter.advance()?;
+        Ok(vertex)
+    }
+
+    /// Inserts independent points that have passed their tests. What comes of them is measured on all threads.
+    ///
+    /// # Errors
+    /// Why not all points were inserted; the others were.
+    pub(crate) fn insert_all(
+        &mut self,
+        proposals: impl IntoIterator<Item = Proposal>,
+    ) -> Result<(), Stop> {
+        self.gone.clear();
+        let mut new = Vec::new();
+        let mut ended = Ok(());
+        for mut proposal in proposals {
+            ended = self.fill(&mut proposal).map(|_| ());
+            if ended.is_err() {
+                break;
+            }
+            new.extend_from_slice(proposal.prestar.tets());
+        }
+        self.records.forget(self.gone.drain(..));
+        self.records.examine_together(&self.solid, &new);
+        self.meter.reach(self.counters.inserted)?;
+        ended
+    }
+
+    /// Replaces a prestar by the star of its point; the records are those of before.
+    fn fill(&mut self, proposal: &mut Proposal) -> Result<VertexId, Stop> {
+        if self.budget == 0 {
+            return Err(Stop::OutOfVertices);
+        }
+        let before = self.gone.len();
+        self.gone.extend_from_slice(proposal.prestar.tets());
+        let Some(vertex) = self.solid.fill(proposal.point, &mut proposal.prestar) else {
+            self.gone.truncate(before);
+            return Err(Stop::OutOfIds);
+        };
+        self.budget -= 1;
+        self.counters.inserted += 1;
         Ok(vertex)
     }
 
@@ -120,20 +153,18 @@ impl<'a> Refiner<'a> {
 
     /// Measures new tetrahedra and puts those of low quality on the worklist.
     pub(crate) fn examine(&mut self, tets: &[TetId]) {
-        self.records.examine(&self.solid, tets.iter().copied());
+        self.records.examine(&self.solid, tets);
         self.worklist.examine(&self.records, tets.iter().copied());
     }
 
     /// Starts a round: takes down the size and quality of the mesh.
     pub(crate) fn begin_round(&mut self) -> &mut Round {
-        let ratios = self.solid.tets().map(|t| self.records.ratio(t));
-        let low = self.solid.tets().filter(|&t| self.records.is_low(t));
         let mut round = Round {
             vertices: self.solid.vertex_count(),
-            low: low.count(),
+            low: self.records.all_low().len(),
             ..Round::default()
         };
-        if let Some(ratios) = Summary::of(ratios) {
+        if let Some(ratios) = Summary::of(self.records.ratios()) {
             round.elements = ratios.count;
             round.min_ratio = ratios.min;
             round.mean_ratio = ratios.mean;

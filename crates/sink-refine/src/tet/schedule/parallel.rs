@@ -39,12 +39,16 @@ pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop
         if chosen.is_empty() {
             return Ok(());
         }
+        refiner.insert_all(chosen.into_iter().map(Tested::into_proposal))?;
+    }
+}
+
+impl Tested {
+    fn into_proposal(self) -> Proposal {
         let mut proposal = Proposal::default();
-        for tested in chosen {
-            proposal.point = tested.point;
-            proposal.prestar.assign(&tested.prestar, &tested.boundary);
-            refiner.insert(&mut proposal)?;
-        }
+        proposal.point = self.point;
+        proposal.prestar.assign(&self.prestar, &self.boundary);
+        proposal
     }
 }
 
