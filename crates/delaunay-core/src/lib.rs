@@ -42,7 +42,9 @@
 //!
 //! - [`Delaunay2`] and [`Delaunay3`] are the triangulations, [`TriMesh`] and [`TetMesh`] their connectivity;
 //!   data about elements live in a `Vec` beside the mesh, indexed by the `index()` of their ids.
+//! - An [`Outline`] is a closed curve of segments in the plane; [`Outline::region`] finds the triangles that it encloses.
 //! - A [`Surface`] is a closed surface of triangles; [`Surface::solid`] finds the tetrahedra that it encloses.
+//! - [`Subcomplex2`] and [`Subcomplex3`] are parts of a triangulation with a boundary that no insertion changes.
 //! - Signs, ids, ghosts and the accepted coordinates are as in `docs/conventions.md`. All decisions about
 //!   topology are made by the exact predicates of [`geo_predicates`], re-exported here.
 //! - [`measure`] judges elements and sums up a mesh: angles, r/l, radius ratios, scaled Jacobian, statistics.
@@ -78,4 +80,6 @@ pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,
     PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,
 };
+pub use tri::{Outline, OutlineError, Region, RegionError};
+pub use tri::{Patch2, Refilled, Subcomplex2};
 pub use tri::{Regular2, RegularViolation2};

@@ -65,6 +65,13 @@ impl Cavity {
         self.rim.iter().map(|edge| edge.origin)
     }
 
+    /// Becomes a cavity found earlier, of faces that have not changed since.
+    pub fn assign(&mut self, faces: &[FaceId], rim: &[RimEdge]) {
+        self.clear();
+        self.faces.extend_from_slice(faces);
+        self.rim.extend_from_slice(rim);
+    }
+
     pub(super) fn clear(&mut self) {
         self.faces.clear();
         self.rim.clear();

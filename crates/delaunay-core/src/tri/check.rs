@@ -3,6 +3,7 @@
 use super::delaunay::Delaunay2;
 use super::mesh::TriMesh;
 use super::sight::precedes;
+use super::subcomplex::Subcomplex2;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use geo_predicates::{Sign, orient2d};
 use thiserror::Error;
@@ -84,9 +85,13 @@ impl TriMesh {
     /// # Errors
     /// The first [`Violation`], by id.
     pub fn check(&self) -> Result<(), Violation> {
+        self.check_glue()?;
+        self.check_outgoing(VertexId::GHOST)
+    }
+
+    fn check_glue(&self) -> Result<(), Violation> {
         self.faces().try_for_each(|f| self.check_corners(f))?;
-        self.half_edges().try_for_each(|h| self.check_twin(h))?;
-        self.check_outgoing()
+        self.half_edges().try_for_each(|h| self.check_twin(h))
     }
 
     fn check_corners(&self, face: FaceId) -> Result<(), Violation> {
@@ -111,14 +116,15 @@ impl TriMesh {
         )
     }
 
-    fn check_outgoing(&self) -> Result<(), Violation> {
+    /// Checks the outgoing half-edges of the vertices from `first` on.
+    fn check_outgoing(&self, first: VertexId) -> Result<(), Violation> {
         let mut degrees = vec![0; self.outgoing.len()];
         for h in self.half_edges() {
             let vertex = self.origin(h);
             let degree = degrees.get_mut(vertex.slot());
             *degree.ok_or(Violation::Outgoing { vertex })? += 1;
         }
-        for (slot, degree) in degrees.into_iter().enumerate() {
+        for (slot, degree) in degrees.into_iter().enumerate().skip(first.slot()) {
             let vertex = VertexId::from_slot(slot);
             let broken = Violation::Outgoing { vertex };
             if let Some(h) = self.outgoing(vertex) {
@@ -202,6 +208,37 @@ impl Delaunay2 {
             !sight.exact_conflict(corners),
             Violation::NotDelaunay { half_edge, vertex },
         )
+    }
+}
+
+impl Subcomplex2 {
+    /// Checks every invariant: those of the [mesh](TriMesh::check), except that the infinite vertex may have several rings
+    /// of ghosts; counterclockwise triangles; and across every edge inside an empty circumcircle, with the tie rule.
+    ///
+    /// Takes linear time.
+    ///
+    /// # Errors
+    /// The first [`Violation`], in the order above, then by id.
+    pub fn check(&self) -> Result<(), Violation> {
+        let mesh = self.mesh();
+        mesh.check_glue()?;
+        mesh.check_outgoing(VertexId::new(0))?;
+        for face in self.faces() {
+            let [a, b, c] = self.triangle(face);
+            require(
+                orient2d(a, b, c) == Sign::Positive,
+                Violation::Orientation { face },
+            )?;
+        }
+        let inner = self.faces().flat_map(FaceId::half_edges);
+        for half_edge in inner.filter(|&h| !self.is_boundary(h)) {
+            let vertex = mesh.apex(mesh.twin(half_edge));
+            require(
+                !self.in_conflict(self.point(vertex), half_edge.face()),
+                Violation::NotDelaunay { half_edge, vertex },
+            )?;
+        }
+        Ok(())
     }
 }
 

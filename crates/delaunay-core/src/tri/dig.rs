@@ -2,9 +2,11 @@
 
 use super::cavity::{Cavity, PendingEdge, RimEdge};
 use super::delaunay::Delaunay2;
+use super::mesh::TriMesh;
 use super::sight::{Seen, Sight};
 use crate::ids::{FaceId, HalfEdgeId};
 use geo_predicates::CoordinateError;
+use geo_predicates::filter::Cross;
 use glam::DVec2;
 
 impl Delaunay2 {
@@ -24,14 +26,32 @@ impl Delaunay2 {
     /// Fills `cavity` with the cavity of `p`, from a face `seed` known to be in it.
     pub(super) fn dig(&self, p: DVec2, seed: FaceId, cavity: &mut Cavity) {
         let sight = self.sight(p);
-        let (mut start, mut edge) = self.open(&sight, seed, cavity);
+        cavity.dig(&self.mesh, &sight, seed, |corners, backwards| {
+            sight.in_conflict(corners, backwards)
+        });
+    }
+}
+
+impl Cavity {
+    /// Fills the cavity with all faces that `conflicts` says yes to and that hang together with `seed`, which is in it.
+    ///
+    /// `conflicts` is asked as [`Sight::in_conflict`] is.
+    #[inline(always)]
+    pub(super) fn dig(
+        &mut self,
+        mesh: &TriMesh,
+        sight: &Sight<'_>,
+        seed: FaceId,
+        mut conflicts: impl FnMut([&Seen; 3], Cross) -> bool,
+    ) {
+        let (mut start, mut edge) = self.open(mesh, sight, seed);
         loop {
             let (left, right) = (edge.outer.prev(), edge.outer.next());
-            let face = &self.mesh.faces[edge.outer.face().index()];
+            let face = &mesh.faces[edge.outer.face().index()];
             let apex = sight.see(face.origin[left.corner()]);
-            if sight.in_conflict([&edge.end, &start, &apex], edge.backwards) {
-                cavity.faces.push(edge.outer.face());
-                cavity.pending.push(PendingEdge {
+            if conflicts([&edge.end, &start, &apex], edge.backwards) {
+                self.faces.push(edge.outer.face());
+                self.pending.push(PendingEdge {
                     end: edge.end,
                     outer: face.twin[left.corner()],
                     backwards: edge.end.arm.cross(&apex.arm),
@@ -42,12 +62,12 @@ impl Delaunay2 {
                     backwards: apex.arm.cross(&start.arm),
                 };
             } else {
-                cavity.rim.push(RimEdge {
+                self.rim.push(RimEdge {
                     origin: start.vertex,
                     outer: edge.outer,
                 });
                 start = edge.end;
-                match cavity.pending.pop() {
+                match self.pending.pop() {
                     Some(below) => edge = below,
                     None => return,
                 }
@@ -55,21 +75,21 @@ impl Delaunay2 {
         }
     }
 
-    /// Starts `cavity` with the face `seed` and its three edges; gives the start of the first edge and
+    /// Starts the cavity with the face `seed` and its three edges; gives the start of the first edge and
     /// that edge, the others wait.
     #[inline(always)]
-    fn open(&self, sight: &Sight<'_>, seed: FaceId, cavity: &mut Cavity) -> (Seen, PendingEdge) {
-        cavity.clear();
-        cavity.faces.push(seed);
-        let face = &self.mesh.faces[seed.index()];
+    fn open(&mut self, mesh: &TriMesh, sight: &Sight<'_>, seed: FaceId) -> (Seen, PendingEdge) {
+        self.clear();
+        self.faces.push(seed);
+        let face = &mesh.faces[seed.index()];
         let [a, b, c] = face.origin.map(|v| sight.see(v));
         let edge = |start: &Seen, end: Seen, outer: HalfEdgeId| PendingEdge {
             end,
             outer,
             backwards: end.arm.cross(&start.arm),
         };
-        cavity.pending.push(edge(&c, a, face.twin[2]));
-        cavity.pending.push(edge(&b, c, face.twin[1]));
+        self.pending.push(edge(&c, a, face.twin[2]));
+        self.pending.push(edge(&b, c, face.twin[1]));
         (a, edge(&a, b, face.twin[0]))
     }
 }

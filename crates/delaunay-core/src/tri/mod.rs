@@ -9,6 +9,8 @@
 //! | one point less | `remove.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
 //! | the Voronoi diagram | `dual.rs`, `convex.rs`, `carve.rs` |
+//! | closed outlines and what they enclose | `outline.rs`, `region.rs`, `crossing.rs` |
+//! | a part with a fixed boundary | `subcomplex.rs` |
 //! | weighted points | `regular/` |
 //! | invariants | `check.rs` |
 
@@ -20,6 +22,7 @@ mod carve;
 mod cavity;
 mod check;
 mod convex;
+mod crossing;
 mod delaunay;
 mod dig;
 mod dual;
@@ -30,10 +33,13 @@ mod insert;
 mod locate;
 mod mesh;
 mod nearest;
+mod outline;
+mod region;
 mod regular;
 mod remove;
 mod sight;
 mod star;
+mod subcomplex;
 
 pub use around::Around;
 pub use cavity::{Cavity, RimEdge};
@@ -47,4 +53,8 @@ pub use hull::Hull;
 pub use insert::Inserted;
 pub use locate::Location;
 pub use mesh::TriMesh;
+pub use outline::{Outline, OutlineError};
+pub use region::{Region, RegionError};
 pub use regular::{Regular2, RegularViolation2};
+pub use remove::Refilled;
+pub use subcomplex::{Patch2, Subcomplex2};

@@ -50,7 +50,7 @@ impl Delaunay2 {
             Err(BuildError::Flat(_)) if !hole.is_all(&self.mesh) => hole.flat_patch(),
             Err(_) => return Err(RemoveError::RestIsFlat { vertex: v }),
         };
-        hole.close(&patch, &mut self.mesh);
+        hole.close(&patch, &hole.faces_inside(&patch), &mut self.mesh);
         self.mesh.forget_vertex(v);
         self.duplicates.forget(v);
         self.vacant.push(v);
@@ -59,10 +59,32 @@ impl Delaunay2 {
     }
 }
 
+/// What the removal of a vertex did to the faces.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Refilled {
+    /// The new faces.
+    pub made: Vec<FaceId>,
+    /// The faces that took the ids left over, each by its id before and after; one may move twice, one after the other.
+    /// New faces may be among them; `made` has their last ids.
+    pub moved: Vec<(FaceId, FaceId)>,
+}
+
+impl Refilled {
+    /// Takes note that the face `old` becomes `new`.
+    fn note_move(&mut self, old: FaceId, new: FaceId) {
+        if old != new {
+            self.moved.push((old, new));
+            let made = self.made.iter_mut().filter(|f| **f == old);
+            made.for_each(|f| *f = new);
+        }
+    }
+}
+
 /// The hole that the star of a vertex leaves.
-struct Hole {
+#[derive(Clone, Debug)]
+pub(super) struct Hole {
     /// The star, whose slots are filled again; two are left over.
-    star: Vec<FaceId>,
+    pub(super) star: Vec<FaceId>,
     /// The vertices round the hole, counterclockwise, the ghost first if it is one of them.
     vertices: Vec<VertexId>,
     /// For each of `vertices` the half-edge outside the hole that ends there.
@@ -70,7 +92,7 @@ struct Hole {
 }
 
 impl Hole {
-    fn of(mesh: &TriMesh, v: VertexId) -> Self {
+    pub(super) fn of(mesh: &TriMesh, v: VertexId) -> Self {
         let mut link: Vec<HalfEdgeId> = mesh.link(v).collect();
         if let Some(ghost) = link.iter().position(|&h| mesh.origin(h).is_ghost()) {
             link.rotate_left(ghost);
@@ -83,7 +105,7 @@ impl Hole {
     }
 
     /// The real vertices round the hole.
-    fn real(&self) -> &[VertexId] {
+    pub(super) fn real(&self) -> &[VertexId] {
         match self.vertices.split_first() {
             Some((first, rest)) if first.is_ghost() => rest,
             _ => &self.vertices,
@@ -113,18 +135,17 @@ impl Hole {
         patch
     }
 
-    /// Fills the hole with those faces of `patch` that lie inside it.
+    /// Fills the hole with the faces `inside` of `patch`, those that [`faces_inside`](Self::faces_inside) gives.
     ///
     /// Vertex `i` of the patch is `real()[i]`.
-    fn close(&self, patch: &TriMesh, mesh: &mut TriMesh) {
-        let inside = self.faces_inside(patch);
+    pub(super) fn close(&self, patch: &TriMesh, inside: &[FaceId], mesh: &mut TriMesh) -> Refilled {
         debug_assert_eq!(inside.len() + 2, self.star.len());
         let mut slots = vec![None; patch.face_count()];
         for (&f, &slot) in inside.iter().zip(&self.star) {
             slots[f.index()] = Some(slot);
             mesh.faces[slot.index()].origin = patch.face_vertices(f).map(|v| self.name(v));
         }
-        for f in &inside {
+        for f in inside {
             for h in f.half_edges() {
                 let Some(slot) = slots[f.index()] else {
                     continue;
@@ -139,15 +160,22 @@ impl Hole {
                 mesh.set_outgoing(here);
             }
         }
-        let mut left_over: Vec<FaceId> = self.star.iter().skip(inside.len()).copied().collect();
+        let (made, left_over) = self.star.split_at(inside.len());
+        let mut refilled = Refilled {
+            made: made.to_vec(),
+            moved: Vec::new(),
+        };
+        let mut left_over = left_over.to_vec();
         left_over.sort_unstable();
         for f in left_over.into_iter().rev() {
+            refilled.note_move(FaceId::new(mesh.face_count() - 1), f);
             mesh.swap_remove_face(f);
         }
+        refilled
     }
 
     /// The faces of the patch inside the link: reached from one of them across other edges.
-    fn faces_inside(&self, patch: &TriMesh) -> Vec<FaceId> {
+    pub(super) fn faces_inside(&self, patch: &TriMesh) -> Vec<FaceId> {
         let mut seen = vec![false; patch.face_count()];
         let mut inside = Vec::new();
         let first = patch
@@ -174,7 +202,7 @@ impl Hole {
     }
 
     /// The vertex that `v` of the patch stands for.
-    fn name(&self, v: VertexId) -> VertexId {
+    pub(super) fn name(&self, v: VertexId) -> VertexId {
         self.real()
             .get(v.index())
             .copied()
