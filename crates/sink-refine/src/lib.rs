@@ -1,4 +1,4 @@
-//! Sinks of Delaunay triangulations, after Edelsbrunner and Guoy, *Sink-insertion for mesh improvement* (2001).
+//! Delaunay refinement by sinks, after Edelsbrunner and Guoy, *Sink-insertion for mesh improvement* (2001).
 //!
 //! From a triangle whose circumcenter lies beyond one of its edges, the flow runs across that edge, and so on
 //! until a triangle contains its circumcenter, which is then a *sink*, or the flow leaves the convex hull.
@@ -20,21 +20,49 @@
 //! # Ok::<(), delaunay_core::BuildError>(())
 //! ```
 //!
-//! [`refine3`] improves the tetrahedra of a solid. In the plane the crate has the flow and the sinks of a
-//! triangulation; refinement there is to come.
+//! [`refine2`] improves the triangles of a region, [`refine3`] the tetrahedra of a solid. The boundary stays as it is.
+//!
+//! ```
+//! use delaunay_core::{BuildOptions, Outline, Subcomplex2, VertexId, progress::silent};
+//! use glam::DVec2;
+//! use sink_refine::{Candidate, Method, Params, Schedule, Stop, refine2};
+//!
+//! // A square with eleven corners more on one side.
+//! let mut points: Vec<DVec2> = (0..=12).map(|i| DVec2::new(f64::from(i), 0.0)).collect();
+//! points.extend([DVec2::new(12.0, 12.0), DVec2::new(0.0, 12.0)]);
+//! let segments = (0..15).map(|i| [i, (i + 1) % 15].map(VertexId::new)).collect();
+//! let region = Outline::new(points, segments)?.region(BuildOptions::default(), &mut silent)?;
+//! let region = Subcomplex2::of(region.delaunay(), |f| region.is_inside(f));
+//!
+//! // As in the paper; and, by default, with fewer points.
+//! let method = Method::Paper { candidate: Candidate::Sink, schedule: Schedule::Parallel };
+//! let paper = refine2(region.clone(), &Params { ratio: 1.0, method, ..Params::default() }, &mut silent)?;
+//! let fewer = refine2(region, &Params { ratio: 1.0, ..Params::default() }, &mut silent)?;
+//! assert_eq!((paper.stop, fewer.stop), (Stop::AllGood, Stop::AllGood));
+//! assert!(fewer.region.faces().count() <= paper.region.faces().count());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | what | where |
+//! |---|---|
+//! | the plane | [`tri`] |
+//! | space | [`tet`] |
+//! | what is asked for | [`Params`] |
+//! | what was done | [`Round`], [`Counters`], [`Stop`] |
 
 mod error;
-mod flow;
 mod history;
 mod params;
-mod sinks;
 mod stop;
 pub mod tet;
+pub mod tri;
 
 pub use error::RefineError;
-pub use flow::{Successor, flows_through, path, successor};
 pub use history::{Counters, Round};
 pub use params::{Candidate, Coarsening, Method, Params, Schedule};
-pub use sinks::{End, Sinks, sink};
 pub use stop::Stop;
 pub use tet::{Low3, Outcome3, Reason3, Separation3, refine3};
+pub use tri::{
+    End, Low2, Outcome2, Reason2, Separation2, Sinks, Successor, Triangles, flows_through, path,
+    refine2, sink, successor,
+};

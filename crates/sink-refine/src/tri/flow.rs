@@ -17,7 +17,37 @@
 //! never runs in circles, in exact arithmetic.
 
 use delaunay_core::geo_predicates::{Sign, in_diametral_circle};
-use delaunay_core::{Delaunay2, FaceId, HalfEdgeId};
+use delaunay_core::{Delaunay2, FaceId, HalfEdgeId, Subcomplex2, TriMesh, VertexId};
+use glam::DVec2;
+
+/// Triangles that a flow runs through: a whole triangulation of the plane, or part of one.
+pub trait Triangles {
+    /// How they are glued, ghosts included.
+    fn mesh(&self) -> &TriMesh;
+
+    /// The place of a real vertex.
+    fn point(&self, v: VertexId) -> DVec2;
+}
+
+impl Triangles for Delaunay2 {
+    fn mesh(&self) -> &TriMesh {
+        self.mesh()
+    }
+
+    fn point(&self, v: VertexId) -> DVec2 {
+        self.point(v)
+    }
+}
+
+impl Triangles for Subcomplex2 {
+    fn mesh(&self) -> &TriMesh {
+        self.mesh()
+    }
+
+    fn point(&self, v: VertexId) -> DVec2 {
+        self.point(v)
+    }
+}
 
 /// Where the flow goes from a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +56,7 @@ pub enum Successor {
     None,
     /// Into the neighbor on whose side of the common edge the circumcenter lies.
     Triangle(FaceId),
-    /// Across a hull edge, to the dummy element ω that stands for all outside the convex hull.
+    /// Across a hull edge or boundary edge, to the dummy element ω that stands for all outside.
     Outside,
 }
 
@@ -46,18 +76,37 @@ pub enum Successor {
 /// # Panics
 /// When there is no face `f` or it is a ghost.
 #[must_use]
-pub fn successor(delaunay: &Delaunay2, f: FaceId) -> Successor {
-    let mesh = delaunay.mesh();
-    match f
-        .half_edges()
-        .into_iter()
-        .find(|&h| flows_through(delaunay, h))
-    {
+pub fn successor(triangles: &impl Triangles, f: FaceId) -> Successor {
+    successor_through(triangles.mesh(), exit(triangles, f))
+}
+
+/// The half-edge through which the flow leaves the triangle `f`.
+pub(crate) fn exit(triangles: &impl Triangles, f: FaceId) -> Option<HalfEdgeId> {
+    let mut half_edges = f.half_edges().into_iter();
+    half_edges.find(|&h| flows_through(triangles, h))
+}
+
+/// The successor of a triangle that the flow leaves through `exit`.
+fn successor_through(mesh: &TriMesh, exit: Option<HalfEdgeId>) -> Successor {
+    match exit.map(|h| mesh.twin(h).face()) {
         None => Successor::None,
-        Some(h) => match mesh.twin(h).face() {
-            beyond if mesh.is_ghost_face(beyond) => Successor::Outside,
-            beyond => Successor::Triangle(beyond),
-        },
+        Some(beyond) if mesh.is_ghost_face(beyond) => Successor::Outside,
+        Some(beyond) => Successor::Triangle(beyond),
+    }
+}
+
+/// The sink triangle in which the flow from `f` ends, by exits known already; `None` when it leaves.
+pub(crate) fn sink_triangle(
+    mesh: &TriMesh,
+    mut f: FaceId,
+    exit: impl Fn(FaceId) -> Option<HalfEdgeId>,
+) -> Option<FaceId> {
+    loop {
+        match successor_through(mesh, exit(f)) {
+            Successor::None => return Some(f),
+            Successor::Outside => return None,
+            Successor::Triangle(next) => f = next,
+        }
     }
 }
 
@@ -66,18 +115,18 @@ pub fn successor(delaunay: &Delaunay2, f: FaceId) -> Successor {
 /// # Panics
 /// When there is no half-edge `h` or its face is a ghost.
 #[must_use]
-pub fn flows_through(delaunay: &Delaunay2, h: HalfEdgeId) -> bool {
-    let mesh = delaunay.mesh();
-    let [a, b, apex] = [mesh.origin(h), mesh.target(h), mesh.apex(h)].map(|v| delaunay.point(v));
+pub fn flows_through(triangles: &impl Triangles, h: HalfEdgeId) -> bool {
+    let mesh = triangles.mesh();
+    let [a, b, apex] = [mesh.origin(h), mesh.target(h), mesh.apex(h)].map(|v| triangles.point(v));
     in_diametral_circle(a, b, apex) == Sign::Positive
 }
 
-/// The triangle `f` and those that the flow passes from there, up to the last one inside the hull.
+/// The triangle `f` and those that the flow passes from there, up to the last one inside.
 ///
 /// # Panics
 /// When there is no face `f` or it is a ghost.
-pub fn path(delaunay: &Delaunay2, f: FaceId) -> impl Iterator<Item = FaceId> + '_ {
-    std::iter::successors(Some(f), |&f| match successor(delaunay, f) {
+pub fn path(triangles: &impl Triangles, f: FaceId) -> impl Iterator<Item = FaceId> + '_ {
+    std::iter::successors(Some(f), |&f| match successor(triangles, f) {
         Successor::Triangle(next) => Some(next),
         Successor::None | Successor::Outside => None,
     })
@@ -86,7 +135,6 @@ pub fn path(delaunay: &Delaunay2, f: FaceId) -> impl Iterator<Item = FaceId> + '
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DVec2;
 
     fn built(points: &[[f64; 2]]) -> Delaunay2 {
         let points: Vec<DVec2> = points.iter().copied().map(DVec2::from).collect();

@@ -3,24 +3,24 @@
 //! In the plane every triangle has one end, so the sets of ancestors are disjoint: the watersheds of the
 //! sinks, and one of what lies outside. Together they are all triangles.
 
+use delaunay_core::FaceId;
 use delaunay_core::measure::triangle::circumcenter;
-use delaunay_core::{Delaunay2, FaceId};
 use glam::DVec2;
 
-use crate::flow::{Successor, successor};
+use super::flow::{Successor, Triangles, successor};
 
 /// Where the flow from a triangle ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum End {
     /// In this triangle, which contains its circumcenter: a sink.
     Sink(FaceId),
-    /// Beyond the convex hull.
+    /// Outside: beyond the convex hull, or across the boundary of a subcomplex.
     Outside,
 }
 
-/// The ends of all flows of a triangulation, and the ancestors of every end.
+/// The ends of all flows of a triangulation or subcomplex, and the ancestors of every end.
 ///
-/// Valid as long as the triangulation does not change.
+/// Valid as long as the triangles do not change.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sinks {
     /// By face index, `None` for ghosts.
@@ -30,17 +30,19 @@ pub struct Sinks {
 }
 
 impl Sinks {
-    /// The ends of all triangles of `delaunay`. Every triangle is passed once: O(n), then sorted by end.
+    /// The ends of all `triangles`. Every triangle is passed once: O(n), then sorted by end.
     #[must_use]
-    pub fn of(delaunay: &Delaunay2) -> Self {
-        let mut ends = vec![None; delaunay.mesh().face_count()];
+    pub fn of(triangles: &impl Triangles) -> Self {
+        let mesh = triangles.mesh();
+        let real = || mesh.faces().filter(|&f| !mesh.is_ghost_face(f));
+        let mut ends = vec![None; mesh.face_count()];
         let mut path = Vec::new();
-        for f in delaunay.faces() {
-            let end = follow(delaunay, &ends, f, &mut path);
+        for f in real() {
+            let end = follow(triangles, &ends, f, &mut path);
             path.drain(..)
                 .for_each(|passed: FaceId| ends[passed.index()] = Some(end));
         }
-        let mut watersheds: Vec<FaceId> = delaunay.faces().collect();
+        let mut watersheds: Vec<FaceId> = real().collect();
         watersheds.sort_by_key(|f| ends[f.index()]);
         Self { ends, watersheds }
     }
@@ -63,7 +65,7 @@ impl Sinks {
 
     /// The triangles whose flow ends in `end`, by id; a sink triangle is its own ancestor. O(log n).
     ///
-    /// Empty when `end` is no sink triangle, or when no flow leaves the hull.
+    /// Empty when `end` is no sink triangle, or when no flow leaves.
     #[must_use]
     pub fn ancestors(&self, end: End) -> &[FaceId] {
         let ends_before = |limit: Option<End>| move |f: &FaceId| self.end(*f) < limit;
@@ -88,13 +90,14 @@ impl Sinks {
 /// # Panics
 /// When there is no face `f` or it is a ghost.
 #[must_use]
-pub fn sink(delaunay: &Delaunay2, f: FaceId) -> DVec2 {
-    circumcenter(delaunay.triangle(f))
+pub fn sink(triangles: &impl Triangles, f: FaceId) -> DVec2 {
+    let corners = triangles.mesh().face_vertices(f);
+    circumcenter(corners.map(|v| triangles.point(v)))
 }
 
 /// The end of the flow from `f`; leaves in `path` the triangles passed whose end was not known yet.
 fn follow(
-    delaunay: &Delaunay2,
+    triangles: &impl Triangles,
     ends: &[Option<End>],
     mut f: FaceId,
     path: &mut Vec<FaceId>,
@@ -104,7 +107,7 @@ fn follow(
             return end;
         }
         path.push(f);
-        match successor(delaunay, f) {
+        match successor(triangles, f) {
             Successor::None => return End::Sink(f),
             Successor::Outside => return End::Outside,
             Successor::Triangle(next) => f = next,

@@ -1,0 +1,183 @@
+//! Triangles for which no candidate passed the tests: other points are tried, and taken when there are fewer low
+//! triangles with them.
+//!
+//! 1. Points that a boundary edge rejected slide out of its diametral circle.
+//! 2. Random points near the triangle.
+//! 3. The same without the boundary test: then a boundary edge may have a vertex inside its diametral circle. The boundary
+//!    itself stays in any case.
+//!
+//! Each point lowers the number of low triangles, so there are no more of them than there were leftovers.
+
+use super::super::proposal::{Proposal, Rejection2};
+use super::super::refiner::Refiner;
+use super::cascade::list_candidates;
+use super::gain::Gain;
+use super::off_center::OffCenters;
+use crate::stop::Stop;
+use delaunay_core::{FaceId, HalfEdgeId};
+use glam::DVec2;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// How often a point slides from one facet to the next.
+const SLIDES: usize = 3;
+
+/// What is tried.
+#[derive(Clone, Copy)]
+struct Effort {
+    /// Random points for a triangle.
+    trials: usize,
+    respects_circles: bool,
+}
+
+const EFFORTS: [Effort; 3] = [
+    Effort {
+        trials: 0,
+        respects_circles: true,
+    },
+    Effort {
+        trials: 40,
+        respects_circles: true,
+    },
+    Effort {
+        trials: 40,
+        respects_circles: false,
+    },
+];
+
+pub(super) fn run(refiner: &mut Refiner<'_>) -> Result<(), Stop> {
+    for effort in EFFORTS {
+        Cure::new(effort).all(refiner)?;
+    }
+    Ok(())
+}
+
+/// Room for curing.
+struct Cure {
+    effort: Effort,
+    candidates: Vec<(DVec2, FaceId)>,
+    best: Proposal,
+    best_gain: Gain,
+}
+
+impl Cure {
+    fn new(effort: Effort) -> Self {
+        Self {
+            effort,
+            candidates: Vec::new(),
+            best: Proposal::default(),
+            best_gain: Gain::default(),
+        }
+    }
+
+    /// Tries all leftovers, the most urgent first, until none of them can be cured.
+    fn all(&mut self, refiner: &mut Refiner<'_>) -> Result<(), Stop> {
+        loop {
+            refiner.worklist.resume(&refiner.records);
+            let before = refiner.counters.inserted;
+            while let Some(face) = refiner.worklist.next(&refiner.records) {
+                self.one(refiner, face)?;
+            }
+            if refiner.counters.inserted == before {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Inserts the best point for a triangle, or puts the triangle aside.
+    fn one(&mut self, refiner: &mut Refiner<'_>, face: FaceId) -> Result<(), Stop> {
+        self.best_gain = Gain::default();
+        let off = OffCenters::of(refiner.region.triangle(face));
+        list_candidates(refiner, face, &off, &mut self.candidates);
+        self.add_random_points(refiner, face);
+        for i in 0..self.candidates.len() {
+            let (point, seed) = self.candidates[i];
+            self.slide(refiner, point, seed, off.shortest);
+        }
+        let stamp = refiner.records.stamp(face);
+        if self.best_gain.low < 0 {
+            refiner.insert(&mut self.best)?;
+        }
+        if refiner.records.stamp(face) == stamp {
+            refiner.worklist.park(&refiner.records, face);
+        }
+        Ok(())
+    }
+
+    /// Tries a point, and where it slides to.
+    fn slide(
+        &mut self,
+        refiner: &mut Refiner<'_>,
+        mut point: DVec2,
+        seed: FaceId,
+        separation: f64,
+    ) {
+        for _ in 0..=SLIDES {
+            let tested = match self.effort.respects_circles {
+                true => refiner.propose(point, seed, separation),
+                false => refiner.propose_anywhere(point, seed),
+            };
+            match tested {
+                Ok(()) => return self.keep_if_better(refiner),
+                Err(Rejection2::Encroaches(edge)) => {
+                    point = outside_diametral_circle(refiner, edge, point);
+                }
+                Err(_) => return,
+            }
+        }
+    }
+
+    fn keep_if_better(&mut self, refiner: &mut Refiner<'_>) {
+        let gain = Gain::of(&refiner.region, &refiner.records, &refiner.proposal);
+        let best = (self.best_gain.low, self.best_gain.excess);
+        if gain.low < 0 && (gain.low, gain.excess) < best {
+            self.best_gain = gain;
+            std::mem::swap(&mut self.best, &mut refiner.proposal);
+        }
+    }
+
+    /// Adds random points in the triangle and its neighbours, the same ones whenever it comes.
+    fn add_random_points(&mut self, refiner: &Refiner<'_>, face: FaceId) {
+        let mesh = refiner.region.mesh();
+        let around = face.half_edges().map(|h| mesh.twin(h).face());
+        let around = around.into_iter().filter(|&f| !mesh.is_ghost_face(f));
+        let homes: Vec<FaceId> = std::iter::once(face).chain(around).collect();
+        let mut rng = ChaCha8Rng::seed_from_u64(fingerprint(refiner.region.triangle(face)));
+        for trial in 0..self.effort.trials {
+            let home = homes[trial % homes.len()];
+            let corners = refiner.region.triangle(home);
+            let shares: [f64; 3] = std::array::from_fn(|_| rng.random_range(0.01..1.0));
+            let total: f64 = shares.iter().sum();
+            let weighted = corners.into_iter().zip(shares);
+            let point = weighted
+                .map(|(corner, share)| corner * (share / total))
+                .sum();
+            self.candidates.push((point, home));
+        }
+    }
+}
+
+/// A number that depends on the places of the corners alone, not on their order.
+fn fingerprint(corners: [DVec2; 3]) -> u64 {
+    let coordinates = corners.iter().flat_map(DVec2::to_array);
+    let mixed = coordinates.map(|x| {
+        x.to_bits()
+            .wrapping_mul(0x9e37_79b9_7f4a_7c15)
+            .rotate_left(31)
+    });
+    mixed.fold(0, u64::wrapping_add)
+}
+
+/// `point` moved just out of the diametral circle of a boundary edge, to the inside.
+fn outside_diametral_circle(refiner: &Refiner<'_>, edge: HalfEdgeId, point: DVec2) -> DVec2 {
+    const OUT: f64 = 1.0001;
+    let [a, b] = refiner.region.segment(edge);
+    let center = a.midpoint(b);
+    let inward = (b - a).perp().normalize_or_zero();
+    let way = point - center;
+    let direction = match way.dot(inward) > 0.0 {
+        true => way.normalize_or(inward),
+        false => inward,
+    };
+    center + direction * (OUT * center.distance(a))
+}

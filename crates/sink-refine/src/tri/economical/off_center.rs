@@ -1,0 +1,71 @@
+//! Off-centers: points on the way from the shortest edge of a triangle to its circumcenter.
+//!
+//! They stay near the edge that they cure, so sizes grow away from short edges as fast as the bound allows, and no faster
+//! (after Üngör 2004). The open disk round the circumcenter is empty, so no vertex is nearer to an off-center
+//! than its height over the edge: that keeps the minimum separation.
+
+use delaunay_core::measure::triangle::circumcenter;
+use glam::DVec2;
+
+/// Where the off-centers of a triangle are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OffCenters {
+    /// The midpoint of the shortest edge.
+    middle: DVec2,
+    /// Length of the shortest edge.
+    pub(super) shortest: f64,
+    circumcenter: DVec2,
+}
+
+impl OffCenters {
+    pub(super) fn of(corners: [DVec2; 3]) -> Self {
+        let [a, b, c] = corners;
+        let edges = [[a, b], [b, c], [c, a]];
+        let squared = |[a, b]: [DVec2; 2]| a.distance_squared(b);
+        let shorter = |e: [DVec2; 2], f| if squared(f) < squared(e) { f } else { e };
+        let [a, b] = edges.into_iter().reduce(shorter).unwrap_or(edges[0]);
+        Self {
+            middle: a.midpoint(b),
+            shortest: a.distance(b),
+            circumcenter: circumcenter(corners),
+        }
+    }
+
+    /// The off-center at `share` of the height at which it makes with the shortest edge a triangle whose ratio r/l is
+    /// `bound`; the circumcenter where that is nearer.
+    pub(super) fn at(&self, share: f64, bound: f64) -> DVec2 {
+        let height = share * self.shortest * (bound + (bound * bound - 0.25).sqrt());
+        let way = self.circumcenter - self.middle;
+        match way.length() {
+            length if length <= height => self.circumcenter,
+            length => self.middle + way * (height / length),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use delaunay_core::measure::triangle::radius_edge_ratio;
+
+    /// A needle whose circumcenter is far above its short edge.
+    const NEEDLE: [DVec2; 3] = [
+        DVec2::new(-0.5, 0.0),
+        DVec2::new(0.5, 0.0),
+        DVec2::new(0.1, 20.0),
+    ];
+
+    #[test]
+    fn the_whole_height_makes_a_triangle_of_the_bound() {
+        let off = OffCenters::of(NEEDLE);
+        assert_eq!(off.shortest, 1.0);
+        let ratio = radius_edge_ratio([NEEDLE[0], NEEDLE[1], off.at(1.0, 2.0)]);
+        assert!((ratio - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn no_off_center_is_beyond_the_circumcenter() {
+        let off = OffCenters::of(NEEDLE);
+        assert_eq!(off.at(100.0, 2.0), circumcenter(NEEDLE));
+    }
+}

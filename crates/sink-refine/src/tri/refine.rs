@@ -1,0 +1,108 @@
+//! Refinement of a region: the driver, and what it answers.
+
+use super::economical;
+use super::low::{Low2, left_over};
+use super::records::Records;
+use super::refiner::Refiner;
+use super::schedule;
+use super::separation::{Separation2, shortest_edge, vertex_bound};
+use crate::error::RefineError;
+use crate::history::{Counters, Round};
+use crate::params::{Method, Params};
+use crate::stop::Stop;
+use delaunay_core::Subcomplex2;
+use delaunay_core::progress::{Meter, Progress};
+use std::ops::ControlFlow;
+
+/// A refined region, and how it came about.
+#[derive(Clone, Debug)]
+pub struct Outcome2 {
+    /// The mesh. Its boundary is the one given.
+    pub region: Subcomplex2,
+    /// Why no more points were inserted.
+    pub stop: Stop,
+    /// Counts of work done.
+    pub counters: Counters,
+    /// The mesh before each round, and what the round did; of the incremental schedules, before each pass. The last entry
+    /// is the mesh that comes out.
+    pub rounds: Vec<Round>,
+    /// The triangles of low quality that are left, worst first.
+    pub low: Vec<Low2>,
+    /// How near vertices are to each other, and how many there can be.
+    pub separation: Separation2,
+}
+
+/// Improves the triangles of `region` by inserting points. The boundary stays as it is.
+///
+/// The same input gives the same mesh, bit for bit, for any number of threads; the parallel schedule uses those of the
+/// current rayon pool. Inserted vertices have ids from the number of given points on. Every point of the paper's method
+/// keeps the minimum separation, so it ends; the phases beyond it end as said in the module. Whatever the
+/// reason to stop, the mesh is valid.
+///
+/// # Errors
+/// [`RefineError::Ratio`] when the ratio is below 1 or no number; [`RefineError::Cancelled`] when `report` stops the work
+/// before it has begun. Later it ends with [`Stop::Cancelled`].
+///
+/// ```
+/// use delaunay_core::{Delaunay2, Subcomplex2, progress::silent};
+/// use glam::DVec2;
+/// use sink_refine::{Params, Stop, refine2};
+///
+/// // A strip whose upper side has short edges: the triangles between the sides are poor.
+/// let mut points = vec![DVec2::new(0.0, 0.0), DVec2::new(8.0, 0.0)];
+/// points.extend((0..=8).map(|i| DVec2::new(f64::from(i), 7.0)));
+/// let region = Subcomplex2::of(&Delaunay2::build(&points)?, |_| true);
+/// let params = Params { ratio: 1.0, ..Params::default() };
+/// let outcome = refine2(region, &params, &mut silent)?;
+/// assert_eq!(outcome.stop, Stop::AllGood);
+/// assert_eq!(outcome.low, []);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn refine2(
+    region: Subcomplex2,
+    params: &Params,
+    report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Outcome2, RefineError> {
+    let ratio = params.ratio;
+    if !(1.0..f64::INFINITY).contains(&ratio) {
+        return Err(RefineError::Ratio { ratio });
+    }
+    let meter = Meter::start(report, "refine", 0)?;
+    let given = shortest_edge(&region);
+    let vertex_bound = vertex_bound(&region, given);
+    let records = Records::of(&region, ratio);
+    let mut refiner = Refiner::new(region, records, params.max_new_vertices, meter);
+    let ended = match params.method {
+        Method::Paper {
+            candidate,
+            schedule,
+        } => schedule::run(&mut refiner, candidate, schedule),
+        Method::Economical(coarsening) => economical::run(&mut refiner, coarsening),
+    };
+    refiner.begin_round();
+    let low = left_over(&refiner.region, &refiner.records);
+    let stop = match ended {
+        Err(stop) => stop,
+        Ok(()) if low.is_empty() => Stop::AllGood,
+        Ok(()) => Stop::NothingToInsert,
+    };
+    let Refiner {
+        region,
+        counters,
+        rounds,
+        ..
+    } = refiner;
+    let separation = Separation2 {
+        given,
+        reached: shortest_edge(&region),
+        vertex_bound,
+    };
+    Ok(Outcome2 {
+        region,
+        stop,
+        counters,
+        rounds,
+        low,
+        separation,
+    })
+}

@@ -1,0 +1,54 @@
+//! One triangle after the other, the worst first (§4.5).
+//!
+//! The sink of the triangle is inserted, or its circumcenter. One whose candidate is rejected is put aside; when
+//! the others are done it gets another turn, because its flow may end elsewhere by then. The schedule is finite:
+//! every point keeps the minimum separation, and a pass that inserts nothing is the last.
+
+use super::super::candidate::Candidates;
+use super::super::refiner::Refiner;
+use crate::params::Candidate;
+use crate::stop::Stop;
+use delaunay_core::FaceId;
+
+pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop> {
+    let mut candidates = Candidates::new(kind);
+    loop {
+        refiner.begin_round();
+        let before = refiner.counters.inserted;
+        while let Some(face) = refiner.worklist.next(&refiner.records) {
+            insert_for(refiner, &mut candidates, face)?;
+        }
+        let inserted = refiner.counters.inserted - before;
+        refiner.round().inserted = inserted;
+        if inserted == 0 {
+            return Ok(());
+        }
+        refiner.worklist.resume(&refiner.records);
+    }
+}
+
+/// Inserts the candidate of a triangle if it passes the tests, or puts the triangle aside.
+fn insert_for(
+    refiner: &mut Refiner<'_>,
+    candidates: &mut Candidates,
+    face: FaceId,
+) -> Result<(), Stop> {
+    let stamp = refiner.records.stamp(face);
+    let mut inserted = false;
+    if let Some(site) = candidates.of(&refiner.region, &refiner.records, face) {
+        let point = site.point(&refiner.region);
+        if refiner.propose(point, site.face, 0.0).is_ok() {
+            refiner.insert_proposed()?;
+            inserted = true;
+        } else {
+            candidates.reject(site);
+        }
+    }
+    if refiner.records.stamp(face) == stamp {
+        match inserted {
+            true => refiner.worklist.examine(&refiner.records, [face]),
+            false => refiner.worklist.park(&refiner.records, face),
+        }
+    }
+    Ok(())
+}
