@@ -2,9 +2,10 @@
 //! angles and common circles abound.
 
 use delaunay_core::geo_predicates::{Sign, in_circle};
-use delaunay_core::{Delaunay2, FaceId};
+use delaunay_core::{Delaunay2, FaceId, Subcomplex2};
 use glam::DVec2;
 use proptest::prelude::*;
+use sink_refine::tri::{phi, pi};
 use sink_refine::{End, Sinks, Successor, path, sink, successor};
 
 type Corners = [[i128; 2]; 3];
@@ -116,6 +117,42 @@ proptest! {
             let exact = [0, 1].map(|i| (2 * area * a[i] + [flat[1], -flat[0]][i]) as f64 / (2 * area) as f64);
             prop_assert!(sink(&delaunay, f).distance(DVec2::from(exact)) <= 4.0 * 1000.0 * f64::EPSILON);
         }
+    }
+
+    /// At a sink π is the squared radius and φ its negative, and no point near by has more of the one, less of the other (§3.2).
+    #[test]
+    fn sinks_are_maxima_of_one_distance_and_minima_of_the_other(points in lattice(60), turn in 0.0..6.3) {
+        let Ok(delaunay) = Delaunay2::build(&points) else { return Ok(()) };
+        // With a right angle the center is on an edge, and beyond it may be worse.
+        let is_acute = |f: &FaceId| center_left_of_edges(corners(&delaunay, *f)).iter().all(|&left| left > 0);
+        for f in Sinks::of(&delaunay).triangles().filter(is_acute) {
+            let [a, ..] = delaunay.triangle(f);
+            let center = sink(&delaunay, f);
+            let square = center.distance_squared(a);
+            let near = |x: f64, y: f64| (x - y).abs() <= 1e-9 * square;
+            prop_assert!(near(pi(&delaunay, center).unwrap(), square));
+            prop_assert!(phi(&delaunay, center).unwrap().is_some_and(|phi| near(phi, -square)));
+            let beside = center + DVec2::from_angle(turn) * 1e-3;
+            prop_assert!(pi(&delaunay, beside).unwrap() <= square * (1.0 + 1e-9));
+            prop_assert!(phi(&delaunay, beside).unwrap().is_none_or(|phi| phi >= -square * (1.0 + 1e-9)));
+        }
+    }
+
+    /// The flow through the whole of a triangulation, taken as a part of itself, is the same.
+    #[test]
+    fn the_whole_as_a_part_has_the_same_flow(points in lattice(60)) {
+        let Ok(delaunay) = Delaunay2::build(&points) else { return Ok(()) };
+        let whole = Subcomplex2::of(&delaunay, |_| true);
+        let flows = |f: FaceId, part: FaceId| {
+            let crossed = [successor(&delaunay, f), successor(&whole, part)];
+            crossed.map(|successor| std::mem::discriminant(&successor))
+        };
+        for (f, part) in delaunay.faces().zip(whole.faces()) {
+            prop_assert_eq!(delaunay.triangle(f), whole.triangle(part));
+            let [one, other] = flows(f, part);
+            prop_assert_eq!(one, other);
+        }
+        prop_assert_eq!(Sinks::of(&delaunay).triangles().count(), Sinks::of(&whole).triangles().count());
     }
 
     #[test]

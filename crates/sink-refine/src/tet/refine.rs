@@ -48,13 +48,11 @@ pub struct Outcome3 {
 /// use glam::DVec3;
 /// use sink_refine::{Params, Stop, refine3};
 ///
-/// // The corners of a regular dodecahedron, all on one sphere: tetrahedra between them are poor.
-/// let golden = (1.0 + 5f64.sqrt()) / 2.0;
-/// let mut points: Vec<DVec3> = Vec::new();
-/// for (s, t) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-///     points.extend([DVec3::new(s, t, 1.0), DVec3::new(s, t, -1.0)]);
-///     let [a, b] = [s / golden, t * golden];
-///     points.extend([DVec3::new(0.0, a, b), DVec3::new(a, b, 0.0), DVec3::new(b, 0.0, a)]);
+/// // The corners of an octahedron and the middles of its edges, all on one sphere: tetrahedra between them are poor.
+/// let axes = [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
+/// let mut points = axes.to_vec();
+/// for (i, a) in axes.into_iter().enumerate() {
+///     points.extend(axes[i + 1..].iter().filter(|b| a.dot(**b) == 0.0).map(|b| (a + b).normalize()));
 /// }
 /// let solid = Subcomplex3::of(&Delaunay3::build(&points)?, |_| true);
 /// let params = Params { ratio: 1.2, ..Params::default() };

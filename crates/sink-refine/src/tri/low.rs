@@ -27,7 +27,8 @@ pub enum Reason2 {
     Encroaches(HalfEdgeId),
     /// Its flow leaves through the boundary, and its circumcenter is outside.
     Outside,
-    /// Nothing forbids a point for it: refinement ended before its turn came.
+    /// Its sink or its circumcenter passes the tests: refinement ended before its turn came, or its method does without that one
+    /// of the two.
     NotReached,
 }
 

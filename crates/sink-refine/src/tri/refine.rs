@@ -48,9 +48,9 @@ pub struct Outcome2 {
 /// use glam::DVec2;
 /// use sink_refine::{Params, Stop, refine2};
 ///
-/// // A strip whose upper side has short edges: the triangles between the sides are poor.
-/// let mut points = vec![DVec2::new(0.0, 0.0), DVec2::new(8.0, 0.0)];
-/// points.extend((0..=8).map(|i| DVec2::new(f64::from(i), 7.0)));
+/// // A square with ten edges on each side: triangles between the sides are poor.
+/// let sides = (0..10).map(f64::from).flat_map(|t| [[t, 0.0], [10.0, t], [10.0 - t, 10.0], [0.0, 10.0 - t]]);
+/// let points: Vec<DVec2> = sides.map(DVec2::from).collect();
 /// let region = Subcomplex2::of(&Delaunay2::build(&points)?, |_| true);
 /// let params = Params { ratio: 1.0, ..Params::default() };
 /// let outcome = refine2(region, &params, &mut silent)?;
