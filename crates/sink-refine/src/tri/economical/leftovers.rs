@@ -36,11 +36,11 @@ const EFFORTS: [Effort; 3] = [
         respects_circles: true,
     },
     Effort {
-        trials: 40,
+        trials: 100,
         respects_circles: true,
     },
     Effort {
-        trials: 40,
+        trials: 100,
         respects_circles: false,
     },
 ];
