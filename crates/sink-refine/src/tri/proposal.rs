@@ -1,6 +1,6 @@
 //! A point that may be inserted, with its prestar (§4.1), and the tests that it has to pass (§4.4, §5.1).
 
-use delaunay_core::geo_predicates::{Sign, in_diametral_circle};
+use delaunay_core::geo_predicates::{Sign, check_point2, in_diametral_circle};
 use delaunay_core::{Cavity, FaceId, HalfEdgeId, Subcomplex2, VertexId};
 use glam::DVec2;
 
@@ -46,7 +46,7 @@ impl Proposal {
         seed: FaceId,
     ) -> Result<(), Rejection2> {
         self.point = point;
-        match point.is_finite() && region.dig(point, seed, &mut self.prestar) {
+        match is_accepted(point) && region.dig(point, seed, &mut self.prestar) {
             true => Ok(()),
             false => Err(Rejection2::Outside),
         }
@@ -61,7 +61,7 @@ impl Proposal {
         open: impl Fn([VertexId; 3]) -> bool,
     ) -> Option<Result<(), Rejection2>> {
         self.point = point;
-        if !point.is_finite() {
+        if !is_accepted(point) {
             return Some(Err(Rejection2::Outside));
         }
         let inside = region.dig_within(point, seed, &mut self.prestar, open)?;
@@ -96,4 +96,10 @@ impl Proposal {
             None => Ok(()),
         }
     }
+}
+
+/// Whether the coordinates of a computed point are in the range in which signs are exact: it may be at infinity, or so near
+/// to an axis that doubles run out.
+fn is_accepted(point: DVec2) -> bool {
+    check_point2(0, point).is_ok()
 }

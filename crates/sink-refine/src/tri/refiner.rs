@@ -140,8 +140,8 @@ impl<'a> Refiner<'a> {
 
     /// Starts a round: takes down the size and quality of the mesh.
     pub(crate) fn begin_round(&mut self) -> &mut Round {
-        let ratios = self.region.faces().map(|t| self.records.ratio(t));
-        let low = self.region.faces().filter(|&t| self.records.is_low(t));
+        let ratios = self.region.faces().map(|f| self.records.ratio(f));
+        let low = self.region.faces().filter(|&f| self.records.is_low(f));
         let mut round = Round {
             vertices: self.region.vertex_count(),
             low: low.count(),

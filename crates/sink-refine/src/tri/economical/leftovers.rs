@@ -19,7 +19,7 @@ use glam::DVec2;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// How often a point slides from one facet to the next.
+/// How often a point slides from one edge to the next.
 const SLIDES: usize = 3;
 
 /// What is tried.

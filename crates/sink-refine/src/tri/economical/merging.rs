@@ -32,7 +32,7 @@ pub(super) fn run(refiner: &mut Refiner<'_>, given: usize) -> Result<(), Stop> {
         for partner in partners(refiner, vertex, given) {
             if merger.merge(refiner, vertex, partner)? {
                 let star = merger.best.prestar.faces().iter();
-                let around = star.flat_map(|&t| refiner.region.mesh().face_vertices(t));
+                let around = star.flat_map(|&f| refiner.region.mesh().face_vertices(f));
                 waiting.extend(around.filter(|v| v.index() >= given));
                 break;
             }
@@ -111,8 +111,8 @@ impl Merger {
         if seed.is_some_and(|seed| refiner.propose_anywhere(point, seed).is_ok()) {
             refiner.insert_proposed()?;
             let star = refiner.proposal.prestar.faces();
-            let gone = |t: &FaceId| !refiner.records.is_there(*t) || star.contains(t);
-            self.made.retain(|t| !gone(t));
+            let gone = |f: &FaceId| !refiner.records.is_there(*f) || star.contains(f);
+            self.made.retain(|f| !gone(f));
             self.made.extend_from_slice(star);
         } else {
             debug_assert!(false, "a vertex just removed can be inserted");
@@ -123,7 +123,7 @@ impl Merger {
     /// A triangle in the place of the two vertices in conflict with a point.
     fn seed(&self, refiner: &Refiner<'_>, point: DVec2) -> Option<FaceId> {
         let mut made = self.made.iter().copied();
-        made.find(|&t| refiner.region.in_conflict(point, t))
+        made.find(|&f| refiner.region.in_conflict(point, f))
     }
 
     /// Finds the best point to insert in the place of two, if one is worth it; `removed` is what their removal did.
