@@ -45,8 +45,10 @@ pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop
 
 impl Tested {
     fn into_proposal(self) -> Proposal {
-        let mut proposal = Proposal::default();
-        proposal.point = self.point;
+        let mut proposal = Proposal {
+            point: self.point,
+            ..Proposal::default()
+        };
         proposal.prestar.assign(&self.prestar, &self.boundary);
         proposal
     }
