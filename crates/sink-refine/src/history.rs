@@ -24,8 +24,6 @@ pub struct Round {
     pub low: usize,
     /// Different candidates of those elements: their sinks, or circumcenters.
     pub candidates: usize,
-    /// Candidates that passed the boundary test.
-    pub passed: usize,
     /// Points inserted: those of the block, or of the independent subset.
     pub inserted: usize,
     /// Smallest r/l of an element.
