@@ -34,12 +34,16 @@ pub enum Format {
     Raw,
     /// Polygon File Format, `.ply`.
     Ply,
+    /// Triangles of stereolithography, `.stl`.
+    Stl,
+    /// Object file of Wavefront, `.obj`.
+    Obj,
 }
 
 impl Format {
     /// Every name that [`Format::from_path`] knows, for messages.
     pub const EXTENSIONS: &'static str =
-        ".vtu .msh .p3d .p3b blockMeshDict .node .ele .poly .off .svg .xy .xyz .f64 .ply";
+        ".vtu .msh .p3d .p3b blockMeshDict .node .ele .poly .off .svg .xy .xyz .f64 .ply .stl .obj";
 
     /// The format that a path names by its file name or extension (in any case); `None` when it names none.
     #[must_use]
@@ -60,6 +64,8 @@ impl Format {
             "xyz" => Self::Xyz,
             "f64" => Self::Raw,
             "ply" => Self::Ply,
+            "stl" => Self::Stl,
+            "obj" => Self::Obj,
             _ => return None,
         })
     }
@@ -91,6 +97,8 @@ impl fmt::Display for Format {
             Self::Xyz => "xyz text",
             Self::Raw => "raw f64",
             Self::Ply => "PLY",
+            Self::Stl => "STL",
+            Self::Obj => "OBJ",
         })
     }
 }
@@ -107,7 +115,7 @@ mod tests {
         assert_eq!(format("fine.blockMeshDict"), Some(Format::BlockMeshDict));
         assert_eq!(format("a.tar.node"), Some(Format::TriangleNode));
         assert_eq!(
-            (format("noextension"), format("a.stl"), format("")),
+            (format("noextension"), format("a.step"), format("")),
             (None, None, None)
         );
     }

@@ -28,6 +28,8 @@
 //! | `.xy`, `.xyz` | [`xy`] | points | points | points; weights are read |
 //! | `.2d.f64`, `.3d.f64` | [`raw`] | points | points | points and weights |
 //! | `.ply` | [`ply`] | mesh, points | | points and faces; weights are read |
+//! | `.stl` | [`stl`] | triangles | | points, merged by place, and triangles |
+//! | `.obj` | [`obj`] | mesh | | points and faces |
 //! | `DOMAIN.toml` | [`circles_toml`] | circles | circles | everything |
 //!
 //! The crate knows no geometry: nothing is oriented, repaired or judged here but form. What it promises instead:
@@ -55,6 +57,7 @@ mod lines;
 mod mesh;
 pub mod msh;
 mod numbers;
+pub mod obj;
 pub mod off;
 mod outputs;
 mod planar_graph;
@@ -65,6 +68,7 @@ mod polytopes;
 pub mod raw;
 mod read;
 mod read_points;
+pub mod stl;
 pub mod svg;
 pub mod triangle;
 pub mod vtu;

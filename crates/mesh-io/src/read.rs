@@ -14,7 +14,7 @@ use crate::mesh::Mesh;
 use crate::numbers::Encoding;
 use crate::planar_graph::PlanarGraph;
 use crate::points::Coordinates;
-use crate::{circles_toml, connectivity_map, msh, off, plot3d, ply, triangle, vtu, xy};
+use crate::{circles_toml, connectivity_map, msh, obj, off, plot3d, ply, stl, triangle, vtu, xy};
 
 /// Bytes read at most from a device or a pipe, which may never end.
 const LONGEST_STREAM: u64 = 1 << 30;
@@ -37,6 +37,8 @@ pub(crate) fn mesh_of(path: &Path, format: Format, bytes: &[u8]) -> Result<Mesh,
         Format::Xyz => Ok(points_alone(Coordinates::Space(xy::parse(bytes)?))),
         Format::Off => off::parse(bytes),
         Format::Ply => ply::parse_mesh(bytes),
+        Format::Stl => stl::parse(bytes),
+        Format::Obj => obj::parse(bytes),
         Format::Msh => msh::parse(bytes).map(|file| file.mesh),
         Format::TriangleNode => triangle::parse_node(bytes).map(Mesh::from),
         Format::TriangleEle => triangle::parse_ele(bytes, nodes_beside(path)?),
@@ -170,7 +172,9 @@ mod tests {
             let path = folder.path().join(format!("empty{extension}"));
             std::fs::write(&path, "").unwrap();
             match read_mesh(&path) {
-                Ok(mesh) => assert!(mesh.points.is_empty() && extension.starts_with(".xy")),
+                Ok(mesh) => {
+                    assert!(mesh.points.is_empty() && [".xy", ".xyz", ".obj"].contains(&extension))
+                }
                 // The points of an `.ele` are looked for first.
                 Err(error) => {
                     let named = error.path.unwrap();

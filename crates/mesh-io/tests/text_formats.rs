@@ -7,7 +7,7 @@ mod spoiled;
 
 use mesh_io::triangle::{parse_ele, parse_node, parse_poly, write_ele, write_node, write_poly};
 use mesh_io::{CellKind, CirclesDomain, Format, Frame, Hole, Mesh, PlanarGraph, Region};
-use mesh_io::{circles_toml, off, xy};
+use mesh_io::{circles_toml, obj, off, stl, xy};
 use meshes::{coordinate, mesh};
 use proptest::prelude::*;
 use spoiled::{spoiled, spoils};
@@ -43,6 +43,24 @@ proptest! {
         prop_assert_eq!(bits(&off::parse(&file).unwrap()), bits(&kept));
         if let Ok(mesh) = off::parse(&spoiled(&file, &spoils)) {
             prop_assert_eq!(mesh.check(), Ok(()));
+        }
+    }
+
+    #[test]
+    fn stl_and_obj_keep_triangles(mesh in mesh(&[CellKind::Triangle], false), spoils in spoils()) {
+        let corners: Vec<[f64; 3]> = mesh.cells.corners().iter().map(|&i| mesh.points[i as usize]).collect();
+        let solid = stl_text(&corners);
+        let read = stl::parse(solid.as_bytes()).unwrap();
+        let places: Vec<[f64; 3]> = read.cells.corners().iter().map(|&i| read.points[i as usize]).collect();
+        prop_assert_eq!(places, corners.clone());
+        let object = obj_text(&mesh);
+        prop_assert_eq!(bits(&obj::parse(object.as_bytes()).unwrap()), bits(&Mesh::new(mesh.points, mesh.cells)));
+        for read in [
+            stl::parse(&spoiled(solid.as_bytes(), &spoils)),
+            stl::parse(&spoiled(&stl_binary(&corners), &spoils)),
+            obj::parse(&spoiled(object.as_bytes(), &spoils)),
+        ] {
+            prop_assert_eq!(read.unwrap_or_default().check(), Ok(()));
         }
     }
 
@@ -106,6 +124,42 @@ proptest! {
         // Any numbers are fine here, so all that can be asked of a spoiled file is an answer.
         let _ = circles_toml::parse(&spoiled(&file, &spoils));
     }
+}
+
+/// Three corners after the other.
+fn stl_text(corners: &[[f64; 3]]) -> String {
+    let vertex = |[x, y, z]: &[f64; 3]| format!("vertex {x:?} {y:?} {z:?}\n");
+    let facet = |corners: &[[f64; 3]]| {
+        let vertices: String = corners.iter().map(vertex).collect();
+        format!("facet normal 0 0 0\nouter loop\n{vertices}endloop\nendfacet\n")
+    };
+    let facets: String = corners.chunks(3).map(facet).collect();
+    format!("solid\n{facets}endsolid\n")
+}
+
+fn stl_binary(corners: &[[f64; 3]]) -> Vec<u8> {
+    let mut file = vec![0; 80];
+    file.extend((corners.len() as u32 / 3).to_le_bytes());
+    for triangle in corners.chunks(3) {
+        file.extend([0; 12]);
+        let numbers = triangle.as_flattened().iter();
+        file.extend(numbers.flat_map(|&x| (x as f32).to_le_bytes()));
+        file.extend([0; 2]);
+    }
+    file
+}
+
+fn obj_text(mesh: &Mesh) -> String {
+    let points = mesh.points.iter();
+    let points: String = points
+        .map(|[x, y, z]| format!("v {x:?} {y:?} {z:?}\n"))
+        .collect();
+    let faces = mesh.cells.corners().chunks(3);
+    let face = |corners: &[u32]| {
+        let [a, b, c] = [0, 1, 2].map(|i| corners[i] + 1);
+        format!("f {a} {b}/1 {c}//2\n")
+    };
+    points + &faces.map(face).collect::<String>()
 }
 
 fn none_beside() -> Result<mesh_io::triangle::Nodes, mesh_io::ReadError> {
