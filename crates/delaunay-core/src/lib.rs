@@ -75,7 +75,7 @@ pub use tet::{
     Side, Star, Subcomplex3, TetMesh, Violation3, Voronoi3, VoronoiEdge3, VoronoiFacet3,
 };
 pub use tet::{Regular3, RegularViolation3};
-pub use tet::{Solid, SolidError, Surface, SurfaceError};
+pub use tet::{Solid, SolidError, Surface, SurfaceError, TetBoundary, TetsError};
 pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,
     PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,

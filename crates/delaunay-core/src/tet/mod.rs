@@ -8,6 +8,7 @@
 //! | all points | `build.rs`, `simplex.rs`, `bulk/`; a few `grow.rs` |
 //! | one point less, or elsewhere | `remove.rs`, `movement.rs` |
 //! | a closed surface and what it encloses | `surface.rs`, `region.rs`, `sweep.rs`, `intersection.rs`, `projection.rs` |
+//! | tetrahedra made elsewhere | `boundary_of_tets.rs` |
 //! | a part with a fixed boundary | `subcomplex.rs` |
 //! | weighted points | `regular/` |
 //! | points on a plane | `coplanar.rs` |
@@ -17,6 +18,7 @@
 //! | invariants | `check.rs` |
 
 mod around;
+mod boundary_of_tets;
 mod build;
 mod bulk;
 mod canonical;
@@ -57,6 +59,7 @@ mod sweep;
 mod table;
 
 pub use around::{Ring, Star};
+pub use boundary_of_tets::{TetBoundary, TetsError};
 pub use carve::CellCarver;
 pub use cavity::Cavity3;
 pub use check::Violation3;

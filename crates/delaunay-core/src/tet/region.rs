@@ -44,6 +44,12 @@ pub enum SolidError {
         /// Indices of the triangles that are no facets of the triangulation, in order; at least one.
         triangles: Vec<usize>,
     },
+    /// A point given as one inside is outside.
+    #[error("{vertex} is not inside the surface")]
+    NotInside {
+        /// The first such point.
+        vertex: VertexId,
+    },
 }
 
 impl From<Cancelled> for SolidError {
@@ -70,6 +76,15 @@ impl Solid {
     pub fn tets(&self) -> impl DoubleEndedIterator<Item = TetId> + Clone + '_ {
         self.delaunay.tets().filter(|&t| self.is_inside(t))
     }
+
+    /// Whether a vertex that is no corner of the surface is inside. It is on no triangle either, as all of them are facets,
+    /// so its tetrahedra are on one side.
+    fn surrounds(&self, v: VertexId) -> bool {
+        self.delaunay
+            .mesh()
+            .home(v)
+            .is_some_and(|t| self.is_inside(t))
+    }
 }
 
 impl Surface {
@@ -83,7 +98,9 @@ impl Surface {
     /// # Errors
     /// - [`SolidError::Build`] when the vertices have no triangulation or `report` stops the work;
     /// - [`SolidError::SelfIntersection`] when two triangles intersect, which never goes unnoticed;
-    /// - [`SolidError::MissingTriangles`] when the triangulation lacks triangles of the surface.
+    /// - [`SolidError::MissingTriangles`] when the triangulation lacks triangles of the surface, also because a point
+    ///   given as one inside is on them;
+    /// - [`SolidError::NotInside`] when a point given as one inside is outside.
     pub fn solid(
         &self,
         options: BuildOptions,
@@ -96,7 +113,11 @@ impl Surface {
         }
         let mut meter = Meter::start(report, "find inside", delaunay.mesh().tet_count())?;
         let inside = inside(delaunay.mesh(), &facets.in_surface, &mut meter)?;
-        Ok(Solid { delaunay, inside })
+        let solid = Solid { delaunay, inside };
+        match self.interior().iter().find(|&&v| !solid.surrounds(v)) {
+            Some(&vertex) => Err(SolidError::NotInside { vertex }),
+            None => Ok(solid),
+        }
     }
 
     /// The error for triangles that are no facets. Facets of one triangulation do not intersect, so of two triangles
@@ -224,6 +245,22 @@ mod tests {
         let solid = solid(&points, &triangles).unwrap();
         assert_eq!(solid.tets().count(), 2);
         assert!(solid.delaunay().tets().count() > 2);
+    }
+
+    #[test]
+    fn points_inside_become_vertices_and_others_are_named() {
+        let corners = [[0.0; 3], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [0.0, 0.0, 8.0]];
+        let solid = |inside: &[[f64; 3]]| {
+            let points = corners.iter().chain(inside).copied().map(DVec3::from);
+            let named = tetrahedron([0, 1, 2, 3]).map(|corners| corners.map(VertexId::new));
+            let surface = Surface::with_interior(points.collect(), named.to_vec()).unwrap();
+            surface.solid(BuildOptions::default(), &mut silent)
+        };
+        let two = solid(&[[1.0; 3], [2.0, 1.0, 1.0]]).unwrap();
+        assert!(two.tets().all(|t| two.is_inside(t)));
+        assert_eq!(two.delaunay().vertex_count(), 6);
+        insta::assert_snapshot!(solid(&[[1.0; 3], [20.0; 3]]).unwrap_err(), @"v5 is not inside the surface");
+        insta::assert_snapshot!(solid(&[[2.0, 2.0, 0.0]]).unwrap_err(), @"triangle 3 of the surface is not in the Delaunay triangulation of its vertices");
     }
 
     #[test]

@@ -46,6 +46,8 @@ use thiserror::Error;
 pub struct Surface {
     points: Vec<DVec3>,
     triangles: Vec<[VertexId; 3]>,
+    /// Points that are no corners, by id.
+    interior: Vec<VertexId>,
 }
 
 /// Why points and triangles are no closed surface.
@@ -138,15 +140,52 @@ impl Surface {
     /// that is no corner, two points at one place, a triangle without area (exactly), a triangle given twice, an edge with an odd
     /// number of triangles.
     pub fn new(points: Vec<DVec3>, triangles: Vec<[VertexId; 3]>) -> Result<Self, SurfaceError> {
-        check_points3(&points)?;
-        check_counts(points.len(), triangles.len())?;
-        check_corners(points.len(), &triangles)?;
-        check_use(points.len(), &triangles)?;
-        check_places(&points)?;
-        check_areas(&points, &triangles)?;
-        check_repetition(&triangles)?;
-        check_edges(&triangles)?;
-        Ok(Self { points, triangles })
+        check_form(&points, &triangles)?;
+        let interior = unused(points.len(), &triangles);
+        if let Some(&vertex) = interior.first() {
+            return Err(SurfaceError::UnusedVertex { vertex });
+        }
+        check_shape(&points, &triangles)?;
+        Ok(Self {
+            points,
+            triangles,
+            interior,
+        })
+    }
+
+    /// The surface that the triangles form, and points that are to be strictly inside: those that are no corners.
+    ///
+    /// The points inside are vertices of [`solid`](Self::solid), which finds out whether they are there.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), but that a point may be no corner.
+    ///
+    /// ```
+    /// use delaunay_core::{BuildOptions, Surface, VertexId, progress::silent};
+    /// use glam::DVec3;
+    ///
+    /// let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    /// let facets = [[1, 2, 3], [2, 0, 3], [0, 1, 3], [2, 1, 0]].map(|facet| facet.map(VertexId::new));
+    /// let solid_with = |point| {
+    ///     let points = corners.into_iter().chain([point]).collect();
+    ///     Surface::with_interior(points, facets.to_vec())?.solid(BuildOptions::default(), &mut silent).map_err(Box::from)
+    /// };
+    /// assert_eq!(solid_with(DVec3::splat(0.2))?.tets().count(), 4);
+    /// assert_eq!(solid_with(DVec3::splat(0.8)).unwrap_err().to_string(), "v4 is not inside the surface");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_interior(
+        points: Vec<DVec3>,
+        triangles: Vec<[VertexId; 3]>,
+    ) -> Result<Self, SurfaceError> {
+        check_form(&points, &triangles)?;
+        let interior = unused(points.len(), &triangles);
+        check_shape(&points, &triangles)?;
+        Ok(Self {
+            points,
+            triangles,
+            interior,
+        })
     }
 
     /// The points, by vertex index.
@@ -160,6 +199,27 @@ impl Surface {
     pub fn triangles(&self) -> &[[VertexId; 3]] {
         &self.triangles
     }
+
+    /// The points that are to be inside, by id: none but after [`with_interior`](Self::with_interior).
+    #[must_use]
+    pub fn interior(&self) -> &[VertexId] {
+        &self.interior
+    }
+}
+
+/// Numbers are accepted, and corners are points.
+fn check_form(points: &[DVec3], triangles: &[[VertexId; 3]]) -> Result<(), SurfaceError> {
+    check_points3(points)?;
+    check_counts(points.len(), triangles.len())?;
+    check_corners(points.len(), triangles)
+}
+
+/// Points and triangles are different, triangles have an area, and the surface is closed.
+fn check_shape(points: &[DVec3], triangles: &[[VertexId; 3]]) -> Result<(), SurfaceError> {
+    check_places(points)?;
+    check_areas(points, triangles)?;
+    check_repetition(triangles)?;
+    check_edges(triangles)
 }
 
 fn check_counts(points: usize, triangles: usize) -> Result<(), SurfaceError> {
@@ -191,22 +251,18 @@ fn check_corners(points: usize, triangles: &[[VertexId; 3]]) -> Result<(), Surfa
     Ok(())
 }
 
-/// Every point is a corner.
-fn check_use(points: usize, triangles: &[[VertexId; 3]]) -> Result<(), SurfaceError> {
+/// The points that are no corners.
+pub(super) fn unused<const N: usize>(points: usize, elements: &[[VertexId; N]]) -> Vec<VertexId> {
     let mut used = vec![false; points];
-    for v in triangles.as_flattened() {
+    for v in elements.as_flattened() {
         used[v.index()] = true;
     }
-    match used.iter().position(|used| !used) {
-        Some(index) => Err(SurfaceError::UnusedVertex {
-            vertex: VertexId::new(index),
-        }),
-        None => Ok(()),
-    }
+    let all = (0..points).map(VertexId::new);
+    all.filter(|v| !used[v.index()]).collect()
 }
 
 /// No two points are at one place.
-fn check_places(points: &[DVec3]) -> Result<(), SurfaceError> {
+pub(super) fn check_places(points: &[DVec3]) -> Result<(), SurfaceError> {
     // Coordinates are numbers, so any two can be compared, and -0.0 equals 0.0.
     let by_place = |v: &VertexId, w: &VertexId| {
         let [p, q] = [v, w].map(|v| points[v.index()].to_array());
@@ -334,6 +390,23 @@ mod tests {
         .concat();
         points[6] = DVec3::new(-0.0, 1.0, 0.0);
         insta::assert_snapshot!(error(points, &twice), @"v2 and v6 are at one place");
+    }
+
+    #[test]
+    fn points_inside_may_be_no_corners_but_must_differ() {
+        let with = |more: DVec3| corners().into_iter().chain([more]).collect::<Vec<_>>();
+        let surface = |point| Surface::with_interior(with(point), ids(&TETRAHEDRON));
+        assert_eq!(
+            surface(DVec3::splat(0.2)).unwrap().interior(),
+            [VertexId::new(4)]
+        );
+        insta::assert_snapshot!(surface(DVec3::X).unwrap_err(), @"v1 and v4 are at one place");
+        let plain = Surface::new(corners(), ids(&TETRAHEDRON)).unwrap();
+        assert_eq!(
+            plain,
+            Surface::with_interior(corners(), ids(&TETRAHEDRON)).unwrap()
+        );
+        assert!(plain.interior().is_empty());
     }
 
     #[test]
