@@ -1,6 +1,6 @@
 //! From the plain data of files to the types of the methods, and back.
 
-use delaunay_core::{TetMesh, TriMesh, VertexId};
+use delaunay_core::{Subcomplex3, TetId, TetMesh, TriMesh, VertexId};
 use glam::{DVec2, DVec3};
 use medial_blocking::{Block, BlockGrid, BlockMesh, Circle, Domain, DomainError, WallName};
 use mesh_io::{
@@ -111,6 +111,27 @@ pub fn tetrahedron_mesh(points: &[DVec3], mesh: &TetMesh) -> Mesh {
     tetrahedra.par_sort_unstable();
     let points = points.iter().map(DVec3::to_array).collect();
     Mesh::new(points, Cells::of_tetrahedra(tetrahedra))
+}
+
+/// A solid as a plain mesh, and which tetrahedron each of its cells is.
+///
+/// Vertices keep their order and are numbered without gaps; those without a tetrahedron, removed ones, are left out. The
+/// cells are in canonical order, as of [`tetrahedron_mesh`]. O(n log n).
+#[must_use]
+pub fn solid_mesh(solid: &Subcomplex3) -> (Mesh, Vec<TetId>) {
+    let mut numbers = vec![0; solid.points().len()];
+    let mut points = Vec::with_capacity(solid.vertex_count());
+    for v in (0..solid.points().len()).map(VertexId::new) {
+        if solid.mesh().home(v).is_some() {
+            numbers[v.index()] = points.len() as u32;
+            points.push(solid.point(v).to_array());
+        }
+    }
+    let corners = |t| solid.mesh().tet_vertices(t).map(|v| numbers[v.index()]);
+    let mut tetrahedra: Vec<_> = solid.tets().map(|t| (ascending(corners(t)), t)).collect();
+    tetrahedra.par_sort_unstable();
+    let (tetrahedra, ids) = tetrahedra.into_iter().unzip();
+    (Mesh::new(points, Cells::of_tetrahedra(tetrahedra)), ids)
 }
 
 /// Vertex ids are 32 bits wide.

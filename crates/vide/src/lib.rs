@@ -36,6 +36,7 @@
 pub mod convert;
 pub mod picture;
 pub mod quality;
+pub mod solid;
 pub mod voronoi;
 
 pub use bubble_mesh;

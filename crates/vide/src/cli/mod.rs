@@ -7,6 +7,7 @@ mod failure;
 mod output;
 mod progress;
 mod quality;
+mod refine;
 mod report;
 
 use std::io::Write;
@@ -36,6 +37,12 @@ enum Command {
     Delaunay(delaunay::DelaunayArgs),
     /// Quality of the cells of a mesh file
     Quality(quality::QualityArgs),
+    /// Better tetrahedra for a solid, by points inserted within a boundary that stays as it is
+    ///
+    /// Points are inserted until no tetrahedron has a circumradius of more than R times its shortest edge, or no point may be
+    /// inserted. Of given tetrahedra the triangles of the boundary and all vertices are kept; the tetrahedra themselves are
+    /// made anew: those of the Delaunay triangulation of the vertices that are inside.
+    Refine(refine::RefineArgs),
 }
 
 /// Options that all subcommands share.
@@ -58,6 +65,10 @@ pub(crate) fn run() -> ExitCode {
         Command::Block(args) => args.common.on_threads(|| block::run(&args)),
         Command::Delaunay(args) => args.common.on_threads(|| delaunay::run(&args)),
         Command::Quality(args) => args.common.on_threads(|| quality::run(&args)),
+        Command::Refine(args) => {
+            let method = args.method().unwrap_or_else(|usage| usage.exit());
+            args.common.on_threads(|| refine::run(&args, method))
+        }
     };
     let outcome = outcome.and_then(|outcome| outcome);
     match outcome {

@@ -44,7 +44,12 @@ impl Watch {
 
     /// Takes a progress report; never stops the work.
     pub(crate) fn report(&mut self, progress: Progress) -> ControlFlow<()> {
-        if let Some(bar) = self.show(progress.stage, "{msg:14} {bar:40} {percent:>3} % {eta:>4}") {
+        // How much there is to do is not always known.
+        let template = match progress.total {
+            0 => "{msg:14} {human_pos}",
+            _ => "{msg:14} {bar:40} {percent:>3} % {eta:>4}",
+        };
+        if let Some(bar) = self.show(progress.stage, template) {
             bar.set_length(progress.total as u64);
             bar.set_position(progress.done as u64);
         }

@@ -6,6 +6,9 @@ use std::io::Write;
 use serde::Serialize;
 use vide::mesh_io::WriteError;
 use vide::quality::Measured;
+use vide::sink_refine;
+
+use super::refine::Refinement;
 
 /// The report of any subcommand; what a command does not make is left out.
 #[derive(Default, Serialize)]
@@ -40,6 +43,8 @@ pub(crate) struct Report {
     pub(crate) hull_sides: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) angle: Option<Angle>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) refinement: Option<Refinement>,
     pub(crate) quality: BTreeMap<String, Spread>,
     pub(crate) seconds: BTreeMap<String, f64>,
     pub(crate) stop: Stop,
@@ -52,6 +57,28 @@ pub(crate) enum Stop {
     /// It was done.
     #[default]
     Finished,
+    /// No element of low quality is left.
+    AllGood,
+    /// For no element of low quality that is left can a point be inserted.
+    NothingToInsert,
+    /// No more vertices may be added.
+    OutOfVertices,
+    /// Ids are used up.
+    OutOfIds,
+    /// Somebody stopped it.
+    Cancelled,
+}
+
+impl From<sink_refine::Stop> for Stop {
+    fn from(stop: sink_refine::Stop) -> Self {
+        match stop {
+            sink_refine::Stop::AllGood => Self::AllGood,
+            sink_refine::Stop::NothingToInsert => Self::NothingToInsert,
+            sink_refine::Stop::OutOfVertices => Self::OutOfVertices,
+            sink_refine::Stop::OutOfIds => Self::OutOfIds,
+            sink_refine::Stop::Cancelled(_) => Self::Cancelled,
+        }
+    }
 }
 
 /// The four angle figures of the blocking paper, in degrees.

@@ -19,7 +19,8 @@ use super::report::Report;
 
 #[derive(Args)]
 pub(crate) struct DelaunayArgs {
-    /// Points, by extension: .xy .xyz .node .ply .2d.f64 .3d.f64, or those of a mesh: .off .vtu .msh
+    /// Points, by extension: .xy .xyz .node .ply .2d.f64 .3d.f64, or those of a mesh: .off .stl .obj .vtu
+    /// .msh
     #[arg(value_name = "POINTS")]
     points: PathBuf,
     /// Triangles or tetrahedra to write, by extension: .vtu .msh .ele, triangles also .off; may be

@@ -1,0 +1,99 @@
+//! `vide refine`: a mesh or a boundary in, a better mesh out.
+
+mod method;
+mod plane;
+mod report;
+mod solid;
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use vide::mesh_io::{Format, Mesh, companion, read_mesh};
+use vide::quality::measure_mesh;
+use vide::sink_refine::{Method, Params};
+
+use super::Common;
+use super::failure::Failure;
+use super::output::{check_formats, check_places, write_together};
+use super::progress::Watch;
+use super::report::Report;
+
+pub(crate) use report::Refinement;
+
+#[derive(Args)]
+pub(crate) struct RefineArgs {
+    /// A closed surface of triangles: .off .ply .stl .obj .vtu .msh; or tetrahedra, whose boundary and vertices are kept:
+    /// .vtu .msh .ele .node
+    #[arg(value_name = "INPUT")]
+    input: PathBuf,
+    /// Tetrahedra to write, by extension: .vtu .msh .ele .node; may be repeated
+    #[arg(short, long, value_name = "OUT", required = true)]
+    output: Vec<PathBuf>,
+    /// Tetrahedra whose circumradius is more than R times their shortest edge are of low quality; at least 1
+    #[arg(long, value_name = "R", default_value_t = 2.0)]
+    ratio: f64,
+    /// Which points to insert
+    #[arg(long, value_enum, default_value_t = method::Candidate::Economical)]
+    candidate: method::Candidate,
+    /// In which order to insert sinks or circumcenters [default: incremental]
+    #[arg(long, value_enum)]
+    schedule: Option<method::Schedule>,
+    /// What happens to inserted vertices that are not needed, of the economical method [default: removal]
+    #[arg(long, value_enum)]
+    coarsen: Option<method::Coarsen>,
+    /// Most vertices to add to those given
+    #[arg(long, value_name = "N", default_value_t = usize::MAX, hide_default_value = true)]
+    max_vertices: usize,
+    #[command(flatten)]
+    pub(super) common: Common,
+}
+
+/// What came out, ready to be written.
+struct Refined {
+    mesh: Mesh,
+    report: Report,
+}
+
+const FORMATS: [Format; 4] = [
+    Format::Vtu,
+    Format::Msh,
+    Format::TriangleNode,
+    Format::TriangleEle,
+];
+
+/// Refines what the arguments name by the `method` that they name.
+pub(crate) fn run(args: &RefineArgs, method: Method) -> Result<(), Failure> {
+    check_formats(&args.output, &FORMATS, "tetrahedra")?;
+    for read in [&args.input].into_iter().chain(&companion(&args.input)) {
+        check_places(read, &args.output, &args.common.report)?;
+    }
+    let mut watch = Watch::new(args.common.quiet);
+    let given = watch.stage("read", |_| read_mesh(&cells_of(&args.input)))?;
+    let params = Params {
+        ratio: args.ratio,
+        method,
+        max_new_vertices: args.max_vertices,
+    };
+    let refined = if plane::holds(&given) {
+        plane::refine(args)?
+    } else {
+        solid::refine(args, given, &params, &mut watch)?
+    };
+    let Refined { mesh, mut report } = refined;
+    watch.stage("measure", |_| report.measure(&measure_mesh(&mesh)));
+    let said = format!("{}{}", report::summary(&report), report.quality_table());
+    write_together(watch, report, args.common.report.as_deref(), |outputs| {
+        let mut paths = args.output.iter();
+        paths.try_for_each(|path| outputs.mesh(path, &mesh))
+    })?;
+    args.common.say(&said);
+    Ok(())
+}
+
+/// The file with the cells: of the points in a `.node` they are in the `.ele` beside it.
+fn cells_of(input: &Path) -> PathBuf {
+    match Format::from_path(input) {
+        Some(Format::TriangleNode) => input.with_extension("ele"),
+        _ => input.to_owned(),
+    }
+}

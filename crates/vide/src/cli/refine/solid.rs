@@ -1,0 +1,59 @@
+//! Solids, given by surfaces or by tetrahedra.
+
+use std::fmt::Display;
+
+use vide::convert::solid_mesh;
+use vide::delaunay_core::Subcomplex3;
+use vide::mesh_io::Mesh;
+use vide::sink_refine::{Outcome3, Params, refine3};
+use vide::solid::GivenSolid;
+
+use super::report::refinement;
+use super::{RefineArgs, Refined};
+use crate::cli::Common;
+use crate::cli::failure::Failure;
+use crate::cli::progress::Watch;
+use crate::cli::report::Report;
+
+pub(super) fn refine(
+    args: &RefineArgs,
+    given: Mesh,
+    params: &Params,
+    watch: &mut Watch,
+) -> Result<Refined, Failure> {
+    let solid = watch.stage("triangulate", |watch| tetrahedralize(args, given, watch))?;
+    let before = [solid.vertex_count(), solid.tets().count()];
+    let outcome = watch.stage("refine", |watch| {
+        refine3(solid, params, &mut |progress| watch.report(progress))
+    });
+    let outcome = outcome.map_err(|error| failed(args, error))?;
+    Ok(watch.stage("sort", |_| refined(params, before, &outcome)))
+}
+
+fn tetrahedralize(
+    args: &RefineArgs,
+    given: Mesh,
+    watch: &mut Watch,
+) -> Result<Subcomplex3, Failure> {
+    let given = GivenSolid::of(&given).map_err(|error| failed(args, error))?;
+    let mut report = |progress| watch.report(progress);
+    let solid = given.tetrahedralize(Common::build_options(), &mut report);
+    solid.map_err(|error| failed(args, error))
+}
+
+fn refined(params: &Params, before: [usize; 2], outcome: &Outcome3) -> Refined {
+    let (mesh, tets) = solid_mesh(&outcome.solid);
+    let report = Report {
+        dimension: Some(3),
+        vertices: mesh.points.len(),
+        elements: mesh.cells.len(),
+        refinement: Some(refinement(params, before, outcome, &tets)),
+        stop: outcome.stop.into(),
+        ..Report::default()
+    };
+    Refined { mesh, report }
+}
+
+fn failed(args: &RefineArgs, problem: impl Display) -> Failure {
+    Failure::input(&args.input, problem)
+}
