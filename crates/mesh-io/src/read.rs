@@ -173,7 +173,7 @@ mod tests {
             std::fs::write(&path, "").unwrap();
             match read_mesh(&path) {
                 Ok(mesh) => {
-                    assert!(mesh.points.is_empty() && [".xy", ".xyz", ".obj"].contains(&extension))
+                    assert!(mesh.points.is_empty() && [".xy", ".xyz", ".obj"].contains(&extension));
                 }
                 // The points of an `.ele` are looked for first.
                 Err(error) => {

@@ -77,7 +77,7 @@ pub(crate) fn run(args: &RefineArgs, method: Method) -> Result<(), Failure> {
     let refined = if plane::holds(&given) {
         plane::refine(args)?
     } else {
-        solid::refine(args, given, &params, &mut watch)?
+        solid::refine(args, &given, &params, &mut watch)?
     };
     let Refined { mesh, mut report } = refined;
     watch.stage("measure", |_| report.measure(&measure_mesh(&mesh)));

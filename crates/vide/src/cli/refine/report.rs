@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use vide::delaunay_core::{FacetId, Subcomplex3, TetId};
+use vide::delaunay_core::{FacetId, Subcomplex3, TetId, VertexId};
 use vide::sink_refine::{
     Candidate, Coarsening, Low3, Method, Outcome3, Params, Reason3, Schedule, Separation3,
 };
@@ -199,7 +199,7 @@ fn facet(reason: Reason3) -> Option<FacetId> {
 
 /// Vertices of the boundary are given ones, which keep their numbers.
 fn corners(solid: &Subcomplex3, f: FacetId) -> [usize; 3] {
-    solid.mesh().facet_vertices(f).map(|v| v.index())
+    solid.mesh().facet_vertices(f).map(VertexId::index)
 }
 
 /// What a refinement says on the terminal.

@@ -17,7 +17,7 @@ use crate::cli::report::Report;
 
 pub(super) fn refine(
     args: &RefineArgs,
-    given: Mesh,
+    given: &Mesh,
     params: &Params,
     watch: &mut Watch,
 ) -> Result<Refined, Failure> {
@@ -32,10 +32,10 @@ pub(super) fn refine(
 
 fn tetrahedralize(
     args: &RefineArgs,
-    given: Mesh,
+    given: &Mesh,
     watch: &mut Watch,
 ) -> Result<Subcomplex3, Failure> {
-    let given = GivenSolid::of(&given).map_err(|error| failed(args, error))?;
+    let given = GivenSolid::of(given).map_err(|error| failed(args, error))?;
     let mut report = |progress| watch.report(progress);
     let solid = given.tetrahedralize(Common::build_options(), &mut report);
     solid.map_err(|error| failed(args, error))
