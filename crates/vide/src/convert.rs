@@ -1,6 +1,6 @@
 //! From the plain data of files to the types of the methods, and back.
 
-use delaunay_core::{Subcomplex3, TetId, TetMesh, TriMesh, VertexId};
+use delaunay_core::{FaceId, Subcomplex2, Subcomplex3, TetId, TetMesh, TriMesh, VertexId};
 use glam::{DVec2, DVec3};
 use medial_blocking::{Block, BlockGrid, BlockMesh, Circle, Domain, DomainError, WallName};
 use mesh_io::{
@@ -132,6 +132,31 @@ pub fn solid_mesh(solid: &Subcomplex3) -> (Mesh, Vec<TetId>) {
     tetrahedra.par_sort_unstable();
     let (tetrahedra, ids) = tetrahedra.into_iter().unzip();
     (Mesh::new(points, Cells::of_tetrahedra(tetrahedra)), ids)
+}
+
+/// A region of the plane as a plain mesh, and which face each of its cells is.
+///
+/// Vertices keep their order and are numbered without gaps; those without a triangle, removed ones, are left out. The
+/// cells are in canonical order, as of [`triangle_mesh`]. O(n log n).
+#[must_use]
+pub fn region_mesh(region: &Subcomplex2) -> (Mesh, Vec<FaceId>) {
+    let mut used = vec![false; region.points().len()];
+    for v in region.faces().flat_map(|f| region.mesh().face_vertices(f)) {
+        used[v.index()] = true;
+    }
+    let mut numbers = vec![0; used.len()];
+    let mut points = Vec::with_capacity(region.vertex_count());
+    for (index, _) in used.into_iter().enumerate().filter(|&(_, used)| used) {
+        numbers[index] = points.len() as u32;
+        let point = region.point(VertexId::new(index));
+        points.push([point.x, point.y, 0.0]);
+    }
+    let corners = |f| region.mesh().face_vertices(f).map(|v| numbers[v.index()]);
+    let faces = region.faces();
+    let mut triangles: Vec<_> = faces.map(|f| (from_smallest(corners(f)), f)).collect();
+    triangles.par_sort_unstable();
+    let (triangles, ids) = triangles.into_iter().unzip();
+    (Mesh::new(points, Cells::of_triangles(triangles)), ids)
 }
 
 /// Vertex ids are 32 bits wide.

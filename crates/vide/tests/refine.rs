@@ -85,6 +85,28 @@ fn worst_ratio(mesh: &Mesh) -> f64 {
     ratios.fold(0.0, f64::max)
 }
 
+const USA: &[u8] = include_bytes!("../../../fixtures/data/usa.poly");
+
+#[test]
+fn an_outline_becomes_triangles_of_good_ratio_within_the_same_segments() {
+    let folder = Folder::with(&[("usa.poly", USA)]);
+    let said = run(&folder, "refine usa.poly -o usa.vtu --report usa.json");
+    assert!(said.contains("(given 229 and 231)"), "{said}");
+    let mesh = read(&folder, "usa.vtu");
+    assert!(mesh.cells.len() < 680);
+    let report = json(&folder, "usa.json");
+    assert_eq!(
+        (&report["dimension"], &report["elements"]),
+        (&2.into(), &mesh.cells.len().into())
+    );
+    assert_eq!(report["refinement"]["ratio"], 1.0);
+    let left = &report["refinement"]["low"];
+    assert!(left["count"].as_u64().unwrap() <= 4, "{left}");
+    // What is written is read again, and needs no more points.
+    let said = run(&folder, "refine usa.vtu -o again.vtu --candidate sink");
+    assert!(!said.is_empty());
+}
+
 #[test]
 fn a_surface_becomes_tetrahedra_of_good_ratio_within_the_same_triangles() {
     let folder = Folder::with(&[("a.off", CUBOCTAHEDRON)]);
@@ -273,12 +295,12 @@ fn what_makes_no_sense_is_said_in_one_line_with_file_place_and_element() {
         ),
         ("quad.off", with("3 1 2 3", "4 1 2 3 0")),
         (
-            "plane.off",
-            "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n".to_owned(),
+            "open.poly",
+            "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n2 0\n1 1 2\n2 2 3\n0\n".to_owned(),
         ),
         (
-            "plane.poly",
-            "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n".to_owned(),
+            "crossing.poly",
+            "4 2 0 0\n1 0 0\n2 1 1\n3 1 0\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n".to_owned(),
         ),
         ("points.xyz", "0 0 0\n1 2 3\n".to_owned()),
         (
@@ -316,8 +338,8 @@ fn what_makes_no_sense_is_said_in_one_line_with_file_place_and_element() {
         "twice.off -o out.vtu",
         "unused.off -o out.vtu",
         "quad.off -o out.vtu",
-        "plane.off -o out.vtu",
-        "plane.poly -o out.vtu",
+        "open.poly -o out.vtu",
+        "crossing.poly -o out.vtu",
         "points.xyz -o out.vtu",
         "bad.stl -o out.vtu",
         "bad.obj -o out.vtu",

@@ -44,6 +44,8 @@ use thiserror::Error;
 pub struct Outline {
     points: Vec<DVec2>,
     segments: Vec<[VertexId; 2]>,
+    /// Points that are no ends, by id.
+    interior: Vec<VertexId>,
 }
 
 /// Why points and segments are no closed outline.
@@ -124,18 +126,46 @@ impl Outline {
     ///
     /// # Errors
     /// The first of these defects, by the element that has it: a coordinate that is not accepted, more points than
-    /// [`Delaunay2::MAX_POINTS`], no segments, an end that is no point, a segment from a vertex to itself, a point that is
-    /// no end, two points at one place, a segment given twice, a vertex with an odd number of segments.
+    /// [`Delaunay2::MAX_POINTS`], no segments, an end that is no point, a segment from a vertex to itself, two points
+    /// at one place, a segment given twice, a vertex with an odd number of segments, a point that is no end.
     pub fn new(points: Vec<DVec2>, segments: Vec<[VertexId; 2]>) -> Result<Self, OutlineError> {
+        let outline = Self::with_interior(points, segments)?;
+        match outline.interior.first() {
+            Some(&vertex) => Err(OutlineError::UnusedVertex { vertex }),
+            None => Ok(outline),
+        }
+    }
+
+    /// The outline that the segments form, and points that are to be strictly inside: those that are no ends.
+    ///
+    /// The points inside are vertices of [`region`](Self::region), which finds out whether they are there.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), but that a point may be no end.
+    pub fn with_interior(
+        points: Vec<DVec2>,
+        segments: Vec<[VertexId; 2]>,
+    ) -> Result<Self, OutlineError> {
         check_points2(&points)?;
         check_counts(points.len(), segments.len())?;
         check_ends(points.len(), &segments)?;
         let degrees = degrees(points.len(), &segments);
-        check_use(&degrees)?;
         check_places(&points)?;
         check_repetition(&segments)?;
         check_closed(&degrees, &segments)?;
-        Ok(Self { points, segments })
+        let unused = (0..points.len()).filter(|&index| degrees[index] == 0);
+        let interior = unused.map(VertexId::new).collect();
+        Ok(Self {
+            points,
+            segments,
+            interior,
+        })
+    }
+
+    /// The points that are to be inside, by id: none but after [`with_interior`](Self::with_interior).
+    #[must_use]
+    pub fn interior(&self) -> &[VertexId] {
+        &self.interior
     }
 
     /// The points, by vertex index.
@@ -187,16 +217,6 @@ fn degrees(points: usize, segments: &[[VertexId; 2]]) -> Vec<usize> {
         degrees[v.index()] += 1;
     }
     degrees
-}
-
-/// Every point is an end.
-fn check_use(degrees: &[usize]) -> Result<(), OutlineError> {
-    match degrees.iter().position(|&degree| degree == 0) {
-        Some(index) => Err(OutlineError::UnusedVertex {
-            vertex: VertexId::new(index),
-        }),
-        None => Ok(()),
-    }
 }
 
 /// No two points are at one place.

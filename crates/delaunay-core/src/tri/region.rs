@@ -44,6 +44,12 @@ pub enum RegionError {
         /// Indices of the segments that are no edges of the triangulation, in order; at least one.
         segments: Vec<usize>,
     },
+    /// A point given as one inside is outside.
+    #[error("{vertex} is not inside the outline")]
+    NotInside {
+        /// The first such point.
+        vertex: VertexId,
+    },
 }
 
 impl From<Cancelled> for RegionError {
@@ -65,6 +71,11 @@ impl Region {
         self.inside.get(f.index()).is_some_and(|&inside| inside)
     }
 
+    /// Whether all triangles at a vertex are inside.
+    fn surrounds(&self, v: VertexId) -> bool {
+        self.delaunay.mesh().star(v).all(|f| self.is_inside(f))
+    }
+
     /// The triangles inside, by id.
     pub fn faces(&self) -> impl Iterator<Item = FaceId> + Clone + '_ {
         self.delaunay.faces().filter(|&f| self.is_inside(f))
@@ -82,7 +93,9 @@ impl Outline {
     /// # Errors
     /// - [`RegionError::Build`] when the vertices have no triangulation or `report` stops the work;
     /// - [`RegionError::Crossing`] when two segments cross, which never goes unnoticed;
-    /// - [`RegionError::MissingSegments`] when the triangulation lacks segments of the outline.
+    /// - [`RegionError::MissingSegments`] when the triangulation lacks segments of the outline, also because a point given
+    ///   as one inside is on them;
+    /// - [`RegionError::NotInside`] when a point given as one inside is outside.
     pub fn region(
         &self,
         options: BuildOptions,
@@ -95,7 +108,12 @@ impl Outline {
         }
         let mut meter = Meter::start(report, "find inside", delaunay.mesh().face_count())?;
         let inside = inside(delaunay.mesh(), &edges.in_outline, &mut meter)?;
-        Ok(Region { delaunay, inside })
+        let region = Region { delaunay, inside };
+        let mut interior = self.interior().iter();
+        match interior.find(|&&v| !region.surrounds(v)) {
+            Some(&vertex) => Err(RegionError::NotInside { vertex }),
+            None => Ok(region),
+        }
     }
 
     /// The error for segments that are no edges. Edges of one triangulation do not cross, so of two segments that do,
@@ -216,6 +234,23 @@ mod tests {
         [-3.0, 1.0],
         [-3.0, -1.0],
     ];
+
+    #[test]
+    fn points_given_as_inside_are_inside_or_named() {
+        let region = |point: [f64; 2]| {
+            let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], point].map(DVec2::from);
+            let segments = [[0, 1], [1, 2], [2, 3], [3, 0]].map(|ends| ends.map(VertexId::new));
+            let outline = Outline::with_interior(corners.to_vec(), segments.to_vec()).unwrap();
+            assert_eq!(outline.interior(), [VertexId::new(4)]);
+            outline.region(BuildOptions::default(), &mut silent)
+        };
+        assert_eq!(region([1.0, 2.0]).unwrap().faces().count(), 4);
+        insta::assert_snapshot!(region([9.0, 9.0]).unwrap_err(), @"v4 is not inside the outline");
+        assert!(matches!(
+            region([2.0, 0.0]),
+            Err(RegionError::MissingSegments { .. })
+        ));
+    }
 
     #[test]
     fn triangles_that_touch_at_a_vertex_are_both_inside() {

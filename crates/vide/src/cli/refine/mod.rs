@@ -8,7 +8,9 @@ mod solid;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use vide::mesh_io::{Format, Mesh, companion, read_mesh};
+use vide::mesh_io::{
+    Format, Mesh, PlanarGraph, ReadError, companion, read_mesh, read_planar_graph,
+};
 use vide::quality::measure_mesh;
 use vide::sink_refine::{Method, Params};
 
@@ -23,15 +25,16 @@ pub(crate) use report::Refinement;
 #[derive(Args)]
 pub(crate) struct RefineArgs {
     /// A closed surface of triangles: .off .ply .stl .obj .vtu .msh; or tetrahedra, whose boundary and vertices are kept:
-    /// .vtu .msh .ele .node
+    /// .vtu .msh .ele .node; or a closed outline in the plane: .poly, or triangles at z = 0, whose outline is kept
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// Tetrahedra to write, by extension: .vtu .msh .ele .node; may be repeated
+    /// Tetrahedra or triangles to write, by extension: .vtu .msh .ele .node; may be repeated
     #[arg(short, long, value_name = "OUT", required = true)]
     output: Vec<PathBuf>,
-    /// Tetrahedra whose circumradius is more than R times their shortest edge are of low quality; at least 1
-    #[arg(long, value_name = "R", default_value_t = 2.0)]
-    ratio: f64,
+    /// Elements whose circumradius is more than R times their shortest edge are of low quality; at least 1 [default: 2; in
+    /// the plane 1]
+    #[arg(long, value_name = "R")]
+    ratio: Option<f64>,
     /// Which points to insert
     #[arg(long, value_enum, default_value_t = method::Candidate::Economical)]
     candidate: method::Candidate,
@@ -68,16 +71,15 @@ pub(crate) fn run(args: &RefineArgs, method: Method) -> Result<(), Failure> {
         check_places(read, &args.output, &args.common.report)?;
     }
     let mut watch = Watch::new(args.common.quiet);
-    let given = watch.stage("read", |_| read_mesh(&cells_of(&args.input)))?;
-    let params = Params {
-        ratio: args.ratio,
+    let given = watch.stage("read", |_| read(&args.input))?;
+    let params = |usual: f64| Params {
+        ratio: args.ratio.unwrap_or(usual),
         method,
         max_new_vertices: args.max_vertices,
     };
-    let refined = if plane::holds(&given) {
-        plane::refine(args)?
-    } else {
-        solid::refine(args, &given, &params, &mut watch)?
+    let refined = match &given {
+        Given::Outline(outline) => plane::refine(args, outline, &params(plane::RATIO), &mut watch)?,
+        Given::Mesh(mesh) => solid::refine(args, mesh, &params(solid::RATIO), &mut watch)?,
     };
     let Refined { mesh, mut report } = refined;
     watch.stage("measure", |_| report.measure(&measure_mesh(&mesh)));
@@ -88,6 +90,23 @@ pub(crate) fn run(args: &RefineArgs, method: Method) -> Result<(), Failure> {
     })?;
     args.common.say(&said);
     Ok(())
+}
+
+/// What is to be refined.
+enum Given {
+    Outline(PlanarGraph),
+    Mesh(Mesh),
+}
+
+fn read(input: &Path) -> Result<Given, ReadError> {
+    if Format::from_path(input) == Some(Format::TrianglePoly) {
+        return read_planar_graph(input).map(Given::Outline);
+    }
+    let mesh = read_mesh(&cells_of(input))?;
+    Ok(match plane::holds(&mesh) {
+        true => Given::Outline(plane::outline_of(&mesh)),
+        false => Given::Mesh(mesh),
+    })
 }
 
 /// The file with the cells: of the points in a `.node` they are in the `.ele` beside it.

@@ -1,9 +1,22 @@
-//! Outlines and triangles of the plane.
+//! Regions of the plane, given by outlines or by triangles.
 
-use vide::mesh_io::Mesh;
+use std::fmt::Display;
 
+use vide::convert::region_mesh;
+use vide::delaunay_core::{Outline, Subcomplex2, VertexId};
+use vide::glam::DVec2;
+use vide::mesh_io::{Cell, Mesh, PlanarGraph};
+use vide::sink_refine::{Outcome2, Params, refine2};
+
+use super::report::of_region;
 use super::{RefineArgs, Refined};
+use crate::cli::Common;
 use crate::cli::failure::Failure;
+use crate::cli::progress::Watch;
+use crate::cli::report::Report;
+
+/// The ratio that means angles of 30 degrees at least.
+pub(super) const RATIO: f64 = 1.0;
 
 /// Whether a mesh is of the plane: there is something in it, all of it at z = 0 and nothing with a volume.
 pub(super) fn holds(mesh: &Mesh) -> bool {
@@ -12,9 +25,67 @@ pub(super) fn holds(mesh: &Mesh) -> bool {
     flat && !mesh.cells.is_empty() && kinds.all(|kind| kind.dimension() < 3)
 }
 
-pub(super) fn refine(args: &RefineArgs) -> Result<Refined, Failure> {
-    Err(Failure::input(
-        &args.input,
-        "refinement in the plane is not available yet",
-    ))
+/// The outline of triangles: their edges that no other triangle shares.
+pub(super) fn outline_of(mesh: &Mesh) -> PlanarGraph {
+    let mut edges = Vec::new();
+    for cell in mesh.cells.iter() {
+        if let Cell::Triangle([a, b, c]) = cell {
+            edges.extend([[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]));
+        }
+    }
+    edges.sort_unstable();
+    let single = edges.chunk_by(|e, f| e == f).filter(|same| same.len() == 1);
+    PlanarGraph {
+        points: mesh.points.iter().map(|&[x, y, _]| [x, y]).collect(),
+        segments: single.map(|same| same[0]).collect(),
+        ..PlanarGraph::default()
+    }
+}
+
+pub(super) fn refine(
+    args: &RefineArgs,
+    outline: &PlanarGraph,
+    params: &Params,
+    watch: &mut Watch,
+) -> Result<Refined, Failure> {
+    let region = watch.stage("triangulate", |watch| triangulate(args, outline, watch))?;
+    let before = [region.vertex_count(), region.faces().count()];
+    let outcome = watch.stage("refine", |watch| {
+        refine2(region, params, &mut |progress| watch.report(progress))
+    });
+    let outcome = outcome.map_err(|error| failed(args, error))?;
+    Ok(watch.stage("sort", |_| refined(params, before, &outcome)))
+}
+
+fn triangulate(
+    args: &RefineArgs,
+    outline: &PlanarGraph,
+    watch: &mut Watch,
+) -> Result<Subcomplex2, Failure> {
+    let points = outline.points.iter().copied().map(DVec2::from).collect();
+    let segments = outline.segments.iter();
+    let segments = segments.map(|ends| ends.map(|v| VertexId::new(v as usize)));
+    let outline =
+        Outline::with_interior(points, segments.collect()).map_err(|error| failed(args, error))?;
+    let mut report = |progress| watch.report(progress);
+    let region = outline.region(Common::build_options(), &mut report);
+    let region = region.map_err(|error| failed(args, error))?;
+    Ok(Subcomplex2::of(region.delaunay(), |f| region.is_inside(f)))
+}
+
+fn refined(params: &Params, before: [usize; 2], outcome: &Outcome2) -> Refined {
+    let (mesh, faces) = region_mesh(&outcome.region);
+    let report = Report {
+        dimension: Some(2),
+        vertices: mesh.points.len(),
+        elements: mesh.cells.len(),
+        refinement: Some(of_region(params, before, outcome, &faces)),
+        stop: outcome.stop.into(),
+        ..Report::default()
+    };
+    Refined { mesh, report }
+}
+
+fn failed(args: &RefineArgs, problem: impl Display) -> Failure {
+    Failure::input(&args.input, problem)
 }

@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use vide::delaunay_core::{FacetId, Subcomplex3, TetId, VertexId};
+use vide::delaunay_core::{FaceId, TetId, VertexId};
 use vide::sink_refine::{
-    Candidate, Coarsening, Low3, Method, Outcome3, Params, Reason3, Schedule, Separation3,
+    Candidate, Coarsening, Counters, Method, Outcome2, Outcome3, Params, Reason2, Reason3,
+    Schedule, Separation2, Separation3,
 };
 
 use crate::cli::report::{Report, Stop};
@@ -63,9 +64,9 @@ struct LowElement {
     element: usize,
     ratio: f64,
     reason: Reason,
-    /// Vertices of the boundary triangle that is to blame.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    boundary_triangle: Option<[usize; 3]>,
+    /// Vertices of the boundary triangle, edge or corner that is to blame.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    boundary: Vec<usize>,
 }
 
 /// Why an element of low quality is left, the element that is to blame aside.
@@ -73,44 +74,111 @@ struct LowElement {
 #[serde(rename_all = "snake_case")]
 enum Reason {
     BoundaryTriangle,
+    BoundaryAngle,
     Encroaches,
     Outside,
     NotReached,
 }
 
 /// The report of a solid refined from so many vertices and tetrahedra, whose tetrahedra are written in the order of `tets`.
-pub(super) fn refinement(
+pub(super) fn of_solid(
     params: &Params,
-    [given_vertices, given_elements]: [usize; 2],
+    given: [usize; 2],
     outcome: &Outcome3,
     tets: &[TetId],
 ) -> Refinement {
-    let (candidate, schedule, coarsen) = names(params.method);
-    let counters = outcome.counters;
     let Separation3 {
-        given,
+        given: shortest,
         reached,
         vertex_bound,
     } = outcome.separation;
-    Refinement {
-        candidate,
-        schedule,
-        coarsen,
-        ratio: params.ratio,
-        given_vertices,
-        given_elements,
-        points: Points {
-            tested: counters.tested,
-            encroaching: counters.encroaching,
-            inserted: counters.inserted,
-            removed: counters.removed,
+    let separation = Separation {
+        given: shortest,
+        reached,
+        vertex_bound,
+    };
+    let low = outcome.low.iter().map(|low| LowElement {
+        element: place(tets, low.tet),
+        ratio: low.ratio,
+        reason: low.reason.into(),
+        boundary: match low.reason {
+            Reason3::BoundaryTriangle(f) | Reason3::Encroaches(f) => {
+                numbers(outcome.solid.mesh().facet_vertices(f))
+            }
+            Reason3::Outside | Reason3::NotReached => Vec::new(),
         },
-        separation: Separation {
-            given,
-            reached,
-            vertex_bound,
+    });
+    let low = LowLeft::of(low);
+    Refinement::new(params, given, outcome.counters, separation, low)
+}
+
+/// The report of a region refined from so many vertices and triangles, whose triangles are written in the order of
+/// `faces`.
+pub(super) fn of_region(
+    params: &Params,
+    given: [usize; 2],
+    outcome: &Outcome2,
+    faces: &[FaceId],
+) -> Refinement {
+    let Separation2 {
+        given: shortest,
+        reached,
+        vertex_bound,
+    } = outcome.separation;
+    let separation = Separation {
+        given: shortest,
+        reached,
+        vertex_bound,
+    };
+    let mesh = outcome.region.mesh();
+    let low = outcome.low.iter().map(|low| LowElement {
+        element: place(faces, low.face),
+        ratio: low.ratio,
+        reason: low.reason.into(),
+        boundary: match low.reason {
+            Reason2::BoundaryAngle(v) => numbers([v]),
+            Reason2::Encroaches(h) => numbers([mesh.origin(h), mesh.target(h)]),
+            Reason2::Outside | Reason2::NotReached => Vec::new(),
         },
-        low: low_left(outcome, tets),
+    });
+    let low = LowLeft::of(low);
+    Refinement::new(params, given, outcome.counters, separation, low)
+}
+
+/// Vertices of the boundary are given ones, which keep their numbers.
+fn numbers<const N: usize>(vertices: [VertexId; N]) -> Vec<usize> {
+    vertices.map(VertexId::index).to_vec()
+}
+
+fn place<I: Copy + PartialEq>(order: &[I], id: I) -> usize {
+    order.iter().position(|other| *other == id).unwrap_or(0)
+}
+
+impl Refinement {
+    fn new(
+        params: &Params,
+        [given_vertices, given_elements]: [usize; 2],
+        counters: Counters,
+        separation: Separation,
+        low: LowLeft,
+    ) -> Self {
+        let (candidate, schedule, coarsen) = names(params.method);
+        Self {
+            candidate,
+            schedule,
+            coarsen,
+            ratio: params.ratio,
+            given_vertices,
+            given_elements,
+            points: Points {
+                tested: counters.tested,
+                encroaching: counters.encroaching,
+                inserted: counters.inserted,
+                removed: counters.removed,
+            },
+            separation,
+            low,
+        }
     }
 }
 
@@ -143,28 +211,19 @@ fn names(method: Method) -> (&'static str, Option<&'static str>, Option<&'static
     }
 }
 
-fn low_left(outcome: &Outcome3, tets: &[TetId]) -> LowLeft {
-    let mut left = LowLeft {
-        count: outcome.low.len(),
-        ..LowLeft::default()
-    };
-    for low in &outcome.low {
-        *left.reasons.entry(low.reason.into()).or_default() += 1;
+impl LowLeft {
+    /// Of all elements of low quality, the worst first.
+    fn of(elements: impl Iterator<Item = LowElement>) -> Self {
+        let mut left = Self::default();
+        for element in elements {
+            left.count += 1;
+            *left.reasons.entry(element.reason).or_default() += 1;
+            if left.worst.len() < LISTED {
+                left.worst.push(element);
+            }
+        }
+        left
     }
-    let worst = &outcome.low[..outcome.low.len().min(LISTED)];
-    let place = |t: TetId| {
-        tets.iter()
-            .position(|&other| other == t)
-            .unwrap_or_default()
-    };
-    let element = |low: &Low3| LowElement {
-        element: place(low.tet),
-        ratio: low.ratio,
-        reason: low.reason.into(),
-        boundary_triangle: facet(low.reason).map(|f| corners(&outcome.solid, f)),
-    };
-    left.worst = worst.iter().map(element).collect();
-    left
 }
 
 impl From<Reason3> for Reason {
@@ -178,34 +237,42 @@ impl From<Reason3> for Reason {
     }
 }
 
+impl From<Reason2> for Reason {
+    fn from(reason: Reason2) -> Self {
+        match reason {
+            Reason2::BoundaryAngle(_) => Self::BoundaryAngle,
+            Reason2::Encroaches(_) => Self::Encroaches,
+            Reason2::Outside => Self::Outside,
+            Reason2::NotReached => Self::NotReached,
+        }
+    }
+}
+
 impl Reason {
     /// What the terminal says of such elements.
     fn words(self) -> &'static str {
         match self {
             Self::BoundaryTriangle => "on a boundary triangle that is above it",
-            Self::Encroaches => "whose points are too near to a boundary triangle",
+            Self::BoundaryAngle => "in an angle of the boundary that is too small",
+            Self::Encroaches => "whose points are too near to the boundary",
             Self::Outside => "whose points are outside",
             Self::NotReached => "not reached",
         }
     }
 }
 
-fn facet(reason: Reason3) -> Option<FacetId> {
-    match reason {
-        Reason3::BoundaryTriangle(f) | Reason3::Encroaches(f) => Some(f),
-        Reason3::Outside | Reason3::NotReached => None,
-    }
-}
-
-/// Vertices of the boundary are given ones, which keep their numbers.
-fn corners(solid: &Subcomplex3, f: FacetId) -> [usize; 3] {
-    solid.mesh().facet_vertices(f).map(VertexId::index)
-}
-
 /// What a refinement says on the terminal.
 pub(super) fn summary(report: &Report) -> String {
+    let element = match report.dimension {
+        Some(2) => "triangle",
+        _ => "tetrahedron",
+    };
+    let elements = match report.dimension {
+        Some(2) => "triangles",
+        _ => "tetrahedra",
+    };
     let mut text = format!(
-        "{} tetrahedra, {} vertices",
+        "{} {elements}, {} vertices",
         report.elements, report.vertices
     );
     let Some(Refinement {
@@ -225,7 +292,7 @@ pub(super) fn summary(report: &Report) -> String {
     );
     let ended = match report.stop {
         Stop::OutOfVertices => "; no more vertices may be added",
-        Stop::OutOfIds => "; there are no more numbers for vertices and tetrahedra",
+        Stop::OutOfIds => "; there are no more numbers for vertices and elements",
         Stop::Cancelled => "; cancelled",
         Stop::Finished | Stop::AllGood | Stop::NothingToInsert => "",
     };
@@ -235,7 +302,7 @@ pub(super) fn summary(report: &Report) -> String {
         .map(|(r, n)| format!("{n} {}", r.words()))
         .collect();
     let left = match low.count {
-        0 => format!("no tetrahedron above the ratio {ratio}"),
+        0 => format!("no {element} above the ratio {ratio}"),
         count => format!("{count} above the ratio {ratio}: {}", reasons.join(", ")),
     };
     text + &left + ended + "\n\n"

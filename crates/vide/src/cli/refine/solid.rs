@@ -8,12 +8,15 @@ use vide::mesh_io::Mesh;
 use vide::sink_refine::{Outcome3, Params, refine3};
 use vide::solid::GivenSolid;
 
-use super::report::refinement;
+use super::report::of_solid;
 use super::{RefineArgs, Refined};
 use crate::cli::Common;
 use crate::cli::failure::Failure;
 use crate::cli::progress::Watch;
 use crate::cli::report::Report;
+
+/// The usual ratio in space.
+pub(super) const RATIO: f64 = 2.0;
 
 pub(super) fn refine(
     args: &RefineArgs,
@@ -47,7 +50,7 @@ fn refined(params: &Params, before: [usize; 2], outcome: &Outcome3) -> Refined {
         dimension: Some(3),
         vertices: mesh.points.len(),
         elements: mesh.cells.len(),
-        refinement: Some(refinement(params, before, outcome, &tets)),
+        refinement: Some(of_solid(params, before, outcome, &tets)),
         stop: outcome.stop.into(),
         ..Report::default()
     };
