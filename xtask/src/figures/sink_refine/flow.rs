@@ -1,4 +1,4 @@
-//! Edelsbrunner & Guoy, *Sink-insertion for mesh improvement*: the flow of figure 4 and the sinks of figure 2.
+//! The flow of figure 4 and the sinks of figure 2, on a triangulation of our own.
 
 use std::cmp::Reverse;
 
@@ -9,16 +9,8 @@ use glam::DVec2;
 use mesh_io::svg::{Color, Panel, Picture, Sample, Stroke, Style, Window};
 use sink_refine::{End, Sinks, Successor, flows_through, path, sink, successor};
 
-use super::table::Table;
-use super::{Figure, Render, Rendered};
-
-/// The flow and its sinks.
-pub const FIGURES: &[Figure] = &[Figure {
-    name: "sinks_flow",
-    caption: "From a triangle that does not contain its circumcentre the flow runs towards it, into the next triangle; it ends in \
-              sinks, the centres of empty circles that lie in their own triangles, or outside. Triangles are coloured by their end.",
-    render: flow,
-}];
+use crate::figures::table::Table;
+use crate::figures::{Render, Rendered};
 
 const EDGE: Stroke = Stroke::thin(Color::GREY);
 const ARROW: Stroke = Stroke {
@@ -41,7 +33,8 @@ const TINTS: [Color; 5] = [
     Color([0xe2, 0xd6, 0xee]),
 ];
 
-fn flow() -> Render {
+/// The flow and its sinks.
+pub(super) fn figure() -> Render {
     let delaunay = Delaunay2::build(&outline())?;
     let sinks = Sinks::of(&delaunay);
     let colors = colors(&delaunay, &sinks);
