@@ -6,6 +6,7 @@ pub mod bubble_mesh;
 pub mod cvt_tet;
 pub mod golden;
 pub mod medial_blocking;
+mod plot;
 mod shades;
 pub mod sink_refine;
 pub mod table;

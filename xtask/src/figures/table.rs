@@ -61,9 +61,28 @@ impl fmt::Display for Table {
     }
 }
 
+/// A number with commas between thousands, as the papers print it.
+pub(super) fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (k, digit) in digits.chars().enumerate() {
+        if k > 0 && (digits.len() - k).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
-    use super::Table;
+    use super::{Table, grouped};
+
+    #[test]
+    fn thousands_are_parted_by_commas() {
+        let texts = [0, 999, 1000, 14_670, 1_000_000].map(grouped);
+        assert_eq!(texts, ["0", "999", "1,000", "14,670", "1,000,000"]);
+    }
 
     #[test]
     fn columns_are_as_wide_as_their_widest_cell() {

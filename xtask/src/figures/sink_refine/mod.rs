@@ -1,13 +1,43 @@
 //! Edelsbrunner & Guoy, *Sink-insertion for mesh improvement*.
 
+mod cut;
 mod flow;
+mod report;
+mod solids;
 
 use super::Figure;
 
-/// The flow and its sinks.
-pub const FIGURES: &[Figure] = &[Figure {
-    name: "sinks_flow",
-    caption: "From a triangle that does not contain its circumcentre the flow runs towards it, into the next triangle; it ends in \
+/// The flow and its sinks, and figures 8 to 11.
+pub const FIGURES: &[Figure] = &[
+    Figure {
+        name: "sinks_flow",
+        caption: "From a triangle that does not contain its circumcentre the flow runs towards it, into the next triangle; it ends in \
               sinks, the centres of empty circles that lie in their own triangles, or outside. Triangles are coloured by their end.",
-    render: flow::figure,
-}];
+        render: flow::figure,
+    },
+    Figure {
+        name: "sinks_fig08_cuboctahedron",
+        caption: "Cuboctahedron: what a plane near the middle meets of the tetrahedra in a skin of twelve balls, a reconstruction of the \
+                  paper's, before and after sinks are inserted. At first nearly all are of low quality and share a handful of sinks; \
+                  the worst go first.",
+        render: solids::cuboctahedron,
+    },
+    Figure {
+        name: "sinks_fig09_paraboloid",
+        caption: "Paraboloid: the same for a paraboloid under a flat lid, cut along its axis. The surface is finest in the middle of \
+                  the lid, from where the worst tetrahedra hang.",
+        render: solids::paraboloid,
+    },
+    Figure {
+        name: "sinks_fig10_star",
+        caption: "Star: the bore of a rocket motor with eleven fins, cut across. It is thin: at first only some five tetrahedra share \
+                  a sink, and in the end the boundary test keeps some of low quality.",
+        render: solids::star,
+    },
+    Figure {
+        name: "sinks_fig11_head",
+        caption: "Head: the propellant round the star, cut across. Long tetrahedra between bore and outer wall give way to nearly \
+                  twice as many.",
+        render: solids::head,
+    },
+];
