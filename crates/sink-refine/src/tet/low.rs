@@ -28,7 +28,8 @@ pub enum Reason3 {
     Encroaches(FacetId),
     /// Its flow leaves through the boundary, and its circumcenter is outside.
     Outside,
-    /// Nothing forbids a point for it: refinement ended before its turn came.
+    /// A sink of it or its circumcenter passes the tests: refinement ended before its turn came, or its method does without
+    /// that one.
     NotReached,
 }
 

@@ -4,16 +4,29 @@ mod cut;
 mod flow;
 mod report;
 mod solids;
+mod usa;
 
 use super::Figure;
 
-/// The flow and its sinks, and figures 8 to 11.
+/// The flow and its sinks, and figures 6 to 11.
 pub const FIGURES: &[Figure] = &[
     Figure {
         name: "sinks_flow",
         caption: "From a triangle that does not contain its circumcentre the flow runs towards it, into the next triangle; it ends in \
               sinks, the centres of empty circles that lie in their own triangles, or outside. Triangles are coloured by their end.",
         render: flow::figure,
+    },
+    Figure {
+        name: "sinks_fig06_first_sinks",
+        caption: "The outline of the contiguous United States before any sink is inserted and after 4, 12 and 15: the worst triangles \
+                  go first.",
+        render: usa::first_sinks,
+    },
+    Figure {
+        name: "sinks_fig07_usa",
+        caption: "The same outline after sinks and after circumcentres were inserted in blocks. The boundary stays; near it some \
+                  triangles of low quality are left.",
+        render: usa::all_methods,
     },
     Figure {
         name: "sinks_fig08_cuboctahedron",

@@ -1,0 +1,249 @@
+//! Figures 6 and 7: the outline of the contiguous United States, refined by a few sinks, then by all methods (§5.2).
+
+use std::error::Error;
+
+use delaunay_core::measure::triangle::radius_edge_ratio;
+use delaunay_core::progress::silent;
+use delaunay_core::{BuildOptions, FaceId, Outline, Subcomplex2, VertexId};
+use fixtures::outlines;
+use glam::DVec2;
+use mesh_io::svg::{Color, Panel, Picture, Sample, Stroke, Style, Window};
+use sink_refine::{Candidate, Coarsening, Method, Outcome2, Params, Round, Schedule, refine2};
+
+use crate::figures::plot::{Graph, Scale, stacked};
+use crate::figures::table::{Table, grouped};
+use crate::figures::{Render, Rendered};
+
+/// Numbers of sinks after which the paper shows the mesh.
+const SINKS: [usize; 3] = [4, 12, 15];
+
+/// Triangles up to a ratio, in a colour.
+const CLASSES: [(f64, Color, &str); 4] = [
+    (1.0, Color::SKY, "r/l up to 1"),
+    (2.0, Color([0xf6, 0xe6, 0xbd]), "of low quality: 1 to 2"),
+    (4.0, Color([0xe3, 0xb5, 0x57]), "2 to 4"),
+    (f64::INFINITY, Color::RED, "above 4"),
+];
+
+const EDGE: Stroke = Stroke {
+    color: Color::INK,
+    width: 0.4,
+    dotted: false,
+};
+
+/// Figure 6.
+pub(super) fn first_sinks() -> Render {
+    let given = region()?;
+    let mut picture = keyed(Picture::new("Figure 6: the first sinks"))
+        .panel(panel(&given, &format!("{} triangles", count(&given))));
+    let mut table = Table::new(
+        "Figure 6: the first sinks, worst triangles first",
+        ["sinks", "triangles", "of low quality", "max r/l"],
+    );
+    for sinks in SINKS {
+        let method = paper(Candidate::Sink, Schedule::Incremental);
+        let outcome = refined(&given, method, sinks)?;
+        let caption = format!("after {sinks} sinks: {} triangles", count(&outcome.region));
+        let mut panel = panel(&outcome.region, &caption);
+        let new = outcome.region.points().iter().skip(given.points().len());
+        let dots = panel.layer("sinks inserted", Style::area(Color::INK));
+        for &point in new {
+            dots.dot(point, 2.5);
+        }
+        picture = picture.panel(panel);
+        let round = last(&outcome);
+        table = table.row([
+            sinks.to_string(),
+            grouped(round.elements),
+            grouped(round.low),
+            format!("{:.3}", round.max_ratio),
+        ]);
+    }
+    Ok(Rendered {
+        svg: picture
+            .key("sink inserted", Sample::Dot(Color::INK))
+            .to_svg()?,
+        summary: table.to_string(),
+    })
+}
+
+/// Figure 7.
+pub(super) fn all_methods() -> Render {
+    let given = region()?;
+    let run = |method| refined(&given, method, usize::MAX);
+    let sinks = run(paper(Candidate::Sink, Schedule::Block))?;
+    let circumcenters = run(paper(Candidate::Circumcenter, Schedule::Block))?;
+    let meshes = [(&sinks, "sinks"), (&circumcenters, "circumcentres")];
+    let mut picture = Picture::new("Figure 7: USA");
+    for (outcome, name) in meshes {
+        let caption = format!(
+            "{} triangles after {name}, in blocks",
+            count(&outcome.region)
+        );
+        picture = picture.panel(panel(&outcome.region, &caption));
+    }
+    let picture =
+        picture.panel(stacked(&graphs(&sinks.rounds), GRAPHS).caption("block by block, sinks"));
+
+    let initial = sinks.rounds.first().copied().unwrap_or_default();
+    let header = [
+        "",
+        "triangles",
+        "of low quality",
+        "min r/l",
+        "mean",
+        "max",
+        "tested",
+    ];
+    let mut table = Table::new("Figure 7: USA", header)
+        .row(row("init", &initial, "-"))
+        .row(["  paper", "229", "-", "0.61", "2.36", "17.23", "-"]);
+    for (candidate, schedule, name, printed) in [
+        (
+            Candidate::Sink,
+            Schedule::Block,
+            "sink, block",
+            ["879", "-", "0.58", "0.76", "2.58"],
+        ),
+        (
+            Candidate::Circumcenter,
+            Schedule::Block,
+            "circ, block",
+            ["941", "-", "0.58", "0.75", "3.54"],
+        ),
+        (
+            Candidate::Sink,
+            Schedule::Incremental,
+            "sink, incr",
+            ["841", "-", "0.58", "0.77", "3.06"],
+        ),
+        (
+            Candidate::Circumcenter,
+            Schedule::Incremental,
+            "circ, incr",
+            ["997", "-", "0.58", "0.76", "3.54"],
+        ),
+    ] {
+        let outcome = run(paper(candidate, schedule))?;
+        let [count, low, min, mean, max] = printed;
+        table = table
+            .row(row(
+                name,
+                &last(&outcome),
+                &grouped(outcome.counters.tested),
+            ))
+            .row(["  paper", count, low, min, mean, max, "-"]);
+    }
+    for (coarsening, name) in [
+        (Coarsening::Removal, "economical"),
+        (Coarsening::Merging, "with merging"),
+    ] {
+        let outcome = run(Method::Economical(coarsening))?;
+        table = table.row(row(
+            name,
+            &last(&outcome),
+            &grouped(outcome.counters.tested),
+        ));
+    }
+    Ok(Rendered {
+        svg: keyed(picture).to_svg()?,
+        summary: table.to_string(),
+    })
+}
+
+/// The triangles inside the outline.
+fn region() -> Result<Subcomplex2, Box<dyn Error>> {
+    let usa = outlines::usa();
+    let points = usa.points.into_iter().map(DVec2::from).collect();
+    let segments = usa.segments.iter();
+    let segments = segments.map(|ends| ends.map(|v| VertexId::new(v as usize)));
+    let outline = Outline::new(points, segments.collect())?;
+    let region = outline.region(BuildOptions::default(), &mut silent)?;
+    Ok(Subcomplex2::of(region.delaunay(), |f| region.is_inside(f)))
+}
+
+fn paper(candidate: Candidate, schedule: Schedule) -> Method {
+    Method::Paper {
+        candidate,
+        schedule,
+    }
+}
+
+fn refined(
+    region: &Subcomplex2,
+    method: Method,
+    max_new_vertices: usize,
+) -> Result<Outcome2, Box<dyn Error>> {
+    let params = Params {
+        ratio: 1.0,
+        method,
+        max_new_vertices,
+    };
+    Ok(refine2(region.clone(), &params, &mut silent)?)
+}
+
+fn count(region: &Subcomplex2) -> usize {
+    region.faces().count()
+}
+
+/// The mesh that came out.
+fn last(outcome: &Outcome2) -> Round {
+    outcome.rounds.last().copied().unwrap_or_default()
+}
+
+fn row(name: &str, round: &Round, tested: &str) -> [String; 7] {
+    [
+        name.to_owned(),
+        grouped(round.elements),
+        grouped(round.low),
+        format!("{:.3}", round.min_ratio),
+        format!("{:.3}", round.mean_ratio),
+        format!("{:.3}", round.max_ratio),
+        tested.to_owned(),
+    ]
+}
+
+/// Triangles coloured by their ratio.
+fn panel(region: &Subcomplex2, caption: &str) -> Panel {
+    let window = Window::around(region.points().iter().copied()).widened(0.02);
+    let mut panel = Panel::new(window).caption(caption);
+    for (index, (_, color, text)) in CLASSES.into_iter().enumerate() {
+        let of_class = region.faces().filter(|&f| class_of(region, f) == index);
+        panel
+            .layer(text, Style::line(EDGE).filled(color))
+            .polygons(of_class.map(|f| region.triangle(f)));
+    }
+    panel
+}
+
+fn class_of(region: &Subcomplex2, f: FaceId) -> usize {
+    let ratio = radius_edge_ratio(region.triangle(f));
+    let class = CLASSES.iter().position(|&(bound, ..)| ratio <= bound);
+    class.unwrap_or(CLASSES.len() - 1)
+}
+
+fn keyed(picture: Picture) -> Picture {
+    let add = |picture: Picture, (_, color, text): (f64, Color, &str)| {
+        picture.key(text, Sample::Area(Style::line(EDGE).filled(color)))
+    };
+    CLASSES.into_iter().fold(picture, add)
+}
+
+/// Pixels of the panel with the graphs.
+const GRAPHS: [f64; 2] = [424.0, 420.0];
+
+fn graphs(rounds: &[Round]) -> [Graph; 2] {
+    let of = |value: fn(&Round) -> f64| rounds.iter().map(value);
+    let [ink, blue, red] = [Color::INK, Color::BLUE, Color::RED].map(Stroke::medium);
+    [
+        Graph::new(Scale::Log)
+            .line("of low quality", red, of(|round| round.low as f64))
+            .line("their sinks", blue, of(|round| round.candidates as f64))
+            .line("in the block", ink, of(|round| round.inserted as f64)),
+        Graph::new(Scale::Log)
+            .line("largest r/l", red, of(|round| round.max_ratio))
+            .line("mean", ink, of(|round| round.mean_ratio))
+            .line("smallest", blue, of(|round| round.min_ratio))
+            .line("bound", Stroke::dotted(Color::GREY), of(|_| 1.0)),
+    ]
+}
