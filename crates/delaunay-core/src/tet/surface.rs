@@ -166,12 +166,12 @@ impl Surface {
     ///
     /// let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
     /// let facets = [[1, 2, 3], [2, 0, 3], [0, 1, 3], [2, 1, 0]].map(|facet| facet.map(VertexId::new));
-    /// let solid_with = |point| {
+    /// let solid_with = |point| -> Result<_, Box<dyn std::error::Error>> {
     ///     let points = corners.into_iter().chain([point]).collect();
-    ///     Surface::with_interior(points, facets.to_vec())?.solid(BuildOptions::default(), &mut silent).map_err(Box::from)
+    ///     Ok(Surface::with_interior(points, facets.to_vec())?.solid(BuildOptions::default(), &mut silent)?)
     /// };
     /// assert_eq!(solid_with(DVec3::splat(0.2))?.tets().count(), 4);
-    /// assert_eq!(solid_with(DVec3::splat(0.8)).unwrap_err().to_string(), "v4 is not inside the surface");
+    /// assert_eq!(solid_with(DVec3::splat(3.0)).unwrap_err().to_string(), "v4 is not inside the surface");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn with_interior(

@@ -48,6 +48,26 @@ struct Separation {
     vertex_bound: f64,
 }
 
+impl From<Separation3> for Separation {
+    fn from(of: Separation3) -> Self {
+        Self {
+            given: of.given,
+            reached: of.reached,
+            vertex_bound: of.vertex_bound,
+        }
+    }
+}
+
+impl From<Separation2> for Separation {
+    fn from(of: Separation2) -> Self {
+        Self {
+            given: of.given,
+            reached: of.reached,
+            vertex_bound: of.vertex_bound,
+        }
+    }
+}
+
 /// What is left of low quality.
 #[derive(Default, Serialize)]
 struct LowLeft {
@@ -87,16 +107,6 @@ pub(super) fn of_solid(
     outcome: &Outcome3,
     tets: &[TetId],
 ) -> Refinement {
-    let Separation3 {
-        given: shortest,
-        reached,
-        vertex_bound,
-    } = outcome.separation;
-    let separation = Separation {
-        given: shortest,
-        reached,
-        vertex_bound,
-    };
     let low = outcome.low.iter().map(|low| LowElement {
         element: place(tets, low.tet),
         ratio: low.ratio,
@@ -109,7 +119,13 @@ pub(super) fn of_solid(
         },
     });
     let low = LowLeft::of(low);
-    Refinement::new(params, given, outcome.counters, separation, low)
+    Refinement::new(
+        params,
+        given,
+        outcome.counters,
+        outcome.separation.into(),
+        low,
+    )
 }
 
 /// The report of a region refined from so many vertices and triangles, whose triangles are written in the order of
@@ -120,16 +136,6 @@ pub(super) fn of_region(
     outcome: &Outcome2,
     faces: &[FaceId],
 ) -> Refinement {
-    let Separation2 {
-        given: shortest,
-        reached,
-        vertex_bound,
-    } = outcome.separation;
-    let separation = Separation {
-        given: shortest,
-        reached,
-        vertex_bound,
-    };
     let mesh = outcome.region.mesh();
     let low = outcome.low.iter().map(|low| LowElement {
         element: place(faces, low.face),
@@ -142,7 +148,13 @@ pub(super) fn of_region(
         },
     });
     let low = LowLeft::of(low);
-    Refinement::new(params, given, outcome.counters, separation, low)
+    Refinement::new(
+        params,
+        given,
+        outcome.counters,
+        outcome.separation.into(),
+        low,
+    )
 }
 
 /// Vertices of the boundary are given ones, which keep their numbers.
