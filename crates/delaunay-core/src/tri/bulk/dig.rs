@@ -41,7 +41,8 @@ impl<P: Part> Worker<'_, P> {
         let mut pending = self.diggings.pending.as_mut_ptr();
         // SAFETY: twins are read only of faces found to be of the part, corners only of those and of faces across their
         // edges, which share a vertex with them. `dug` is at most `room`; every face dug turns one edge into two,
-        // so edges on the rim and pending are `dug + 2` together, and all buffers have that much room.
+        // so edges on the rim and pending are `dug + 2` together; there are `room + 3` places and room for
+        // `room + 1` pending edges besides the one looked at.
         // Faces are written in place of faces dug and of those of `v`, and twins on edges of faces
         // dug: nobody else touches either. What is read of a face beyond an edge stays true until the
         // edge has its turn, because no face is met twice.
@@ -110,6 +111,7 @@ impl<P: Part> Worker<'_, P> {
                     };
                     left_before = left;
                     edges += 1;
+                    debug_assert!(edges < self.diggings.places.len());
                     let after = places.add(edges).read();
                     let ends = [start.vertex, end.vertex];
                     star.add(self.arena, ends, outer, after);

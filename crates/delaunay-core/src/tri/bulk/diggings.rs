@@ -11,8 +11,8 @@ const FIRST_ROOM: usize = 64;
 
 /// The places of the faces of a star, and the edges still to be looked at.
 ///
-/// `places` and `pending` are filled with anything up to their length. A cavity of m faces gives way to a star of m + 2
-/// and has at most m + 1 pending edges.
+/// `places` and `pending` are filled with anything up to their length. A cavity of m faces gives way to a star of m + 2,
+/// whose last face is asked for a place after its own, and has at most m + 1 pending edges.
 pub(super) struct Diggings {
     /// Places for faces of the star in order: the two that the vertex brings, then those of the faces dug.
     pub(super) places: Vec<FaceId>,
@@ -75,12 +75,12 @@ impl Diggings {
             forwards,
             beyond,
         };
-        self.places.resize(faces + 2, outer.face());
+        self.places.resize(faces + 3, outer.face());
         self.pending.resize(faces + 1, pending);
     }
 
     /// The most faces that a cavity may have.
     pub(super) fn room(&self) -> usize {
-        self.places.len() - 2
+        self.places.len() - 3
     }
 }

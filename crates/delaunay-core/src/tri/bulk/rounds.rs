@@ -275,6 +275,22 @@ mod tests {
         assert_eq!(mesh.neighbors(VertexId::new(1000)).count(), 1000);
     }
 
+    /// Cavities of all sizes, so that some fill the buffers exactly.
+    #[test]
+    fn a_cavity_may_fill_its_buffers_to_the_last_place() {
+        for count in 60..320 {
+            for phase in 0..3 {
+                let angle =
+                    |i| f64::from(i) * std::f64::consts::TAU / f64::from(count) + f64::from(phase);
+                let circle = (0..count).map(|i| DVec2::from_angle(angle(i)));
+                let points: Vec<DVec2> = circle.chain([DVec2::ZERO]).collect();
+                let mesh = built(&points, 1).mesh;
+                let center = VertexId::new(count as usize);
+                assert_eq!(mesh.neighbors(center).count(), count as usize);
+            }
+        }
+    }
+
     #[test]
     fn clusters_and_their_copies_have_one_triangulation_for_any_number_of_threads() {
         let centers = [
