@@ -261,7 +261,8 @@ mod tests {
         prop_oneof![
             (-3..=3_i32).prop_map(f64::from),
             -1.0..1.0,
-            (-1.0..1.0, -140..200_i32).prop_map(|(x, e)| x * 2f64.powi(e)),
+            (0.5..1.0_f64, -140..200_i32).prop_map(|(x, e)| x * 2f64.powi(e)),
+            (0.5..1.0_f64, -140..200_i32).prop_map(|(x, e)| -x * 2f64.powi(e)),
             (0..4_i32).prop_map(|ulps| 1.0 + f64::from(ulps) * f64::EPSILON),
         ]
     }
