@@ -1,6 +1,6 @@
 //! A point that may be inserted, with its prestar (§4.1), and the tests that it has to pass (§4.4, §5.1).
 
-use delaunay_core::geo_predicates::{Sign, in_diametral_ball};
+use delaunay_core::geo_predicates::{Sign, check_point3, in_diametral_ball};
 use delaunay_core::{Cavity3, FacetId, Subcomplex3, TetId, VertexId};
 use glam::DVec3;
 
@@ -46,7 +46,7 @@ impl Proposal {
         seed: TetId,
     ) -> Result<(), Rejection3> {
         self.point = point;
-        match point.is_finite() && solid.dig(point, seed, &mut self.prestar) {
+        match is_accepted(point) && solid.dig(point, seed, &mut self.prestar) {
             true => Ok(()),
             false => Err(Rejection3::Outside),
         }
@@ -61,7 +61,7 @@ impl Proposal {
         open: impl Fn([VertexId; 4]) -> bool,
     ) -> Option<Result<(), Rejection3>> {
         self.point = point;
-        if !point.is_finite() {
+        if !is_accepted(point) {
             return Some(Err(Rejection3::Outside));
         }
         let inside = solid.dig_within(point, seed, &mut self.prestar, open)?;
@@ -98,5 +98,39 @@ impl Proposal {
             }
         }
         Ok(())
+    }
+}
+
+/// Whether the coordinates of a computed point are in the range in which signs are exact: it may be at infinity, or so near
+/// to a plane of the axes that doubles run out.
+fn is_accepted(point: DVec3) -> bool {
+    check_point3(0, point).is_ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use delaunay_core::Delaunay3;
+
+    #[test]
+    fn points_in_whose_coordinates_doubles_run_out_are_rejected() {
+        let simplex = [
+            DVec3::NEG_ONE,
+            DVec3::X * 4.0,
+            DVec3::Y * 4.0,
+            DVec3::Z * 4.0,
+        ];
+        let solid = Subcomplex3::of(&Delaunay3::build(&simplex).unwrap(), |_| true);
+        let seed = solid.tets().next().unwrap();
+        let mut proposal = Proposal::default();
+        for (x, expected) in [
+            (1e-9, Ok(())),
+            (1e-60, Err(Rejection3::Outside)),
+            (f64::INFINITY, Err(Rejection3::Outside)),
+            (f64::NAN, Err(Rejection3::Outside)),
+        ] {
+            let point = DVec3::new(x, 0.1, 0.2);
+            assert_eq!(proposal.make_anywhere(&solid, point, seed), expected, "{x}");
+        }
     }
 }
