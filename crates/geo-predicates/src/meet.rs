@@ -7,7 +7,7 @@
 use crate::in_ball::in_sphere;
 use crate::orient::orient3d;
 use crate::sign::Sign;
-use crate::unbounded::{cross3, det3, dot, integers, least_exponent, minus, scaled, sign};
+use crate::unbounded::{cross3, det3, dot, least_exponent, minus, scaled, sign};
 use glam::DVec3;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
@@ -110,8 +110,8 @@ impl Equation {
                 let limit_unit = steepness + unit;
                 // The equation times a power of two that makes its limit whole.
                 let lift = (limit_unit - least_exponent(&[limit])).max(0);
-                let [normal] = integers([normal.to_array()]);
-                let normal = normal.map(|part| part << lift as usize);
+                let whole = |part| scaled(part, steepness) << lift as usize;
+                let normal = normal.to_array().map(whole);
                 let limit = scaled(limit, limit_unit - lift) - dot(&normal, &origin);
                 Self { normal, limit }
             }

@@ -140,16 +140,13 @@ pub fn solid_mesh(solid: &Subcomplex3) -> (Mesh, Vec<TetId>) {
 /// cells are in canonical order, as of [`triangle_mesh`]. O(n log n).
 #[must_use]
 pub fn region_mesh(region: &Subcomplex2) -> (Mesh, Vec<FaceId>) {
-    let mut used = vec![false; region.points().len()];
-    for v in region.faces().flat_map(|f| region.mesh().face_vertices(f)) {
-        used[v.index()] = true;
-    }
-    let mut numbers = vec![0; used.len()];
+    let mut numbers = vec![0; region.points().len()];
     let mut points = Vec::with_capacity(region.vertex_count());
-    for (index, _) in used.into_iter().enumerate().filter(|&(_, used)| used) {
-        numbers[index] = points.len() as u32;
-        let point = region.point(VertexId::new(index));
-        points.push([point.x, point.y, 0.0]);
+    for v in (0..region.points().len()).map(VertexId::new) {
+        if region.mesh().outgoing(v).is_some() {
+            numbers[v.index()] = points.len() as u32;
+            points.push(flat(region.point(v)));
+        }
     }
     let corners = |f| region.mesh().face_vertices(f).map(|v| numbers[v.index()]);
     let faces = region.faces();
