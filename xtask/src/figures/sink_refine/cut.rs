@@ -3,7 +3,9 @@
 use delaunay_core::Subcomplex3;
 use delaunay_core::measure::tetrahedron::radius_edge_ratio;
 use glam::{DVec2, DVec3};
-use mesh_io::svg::{Color, Panel, Picture, Sample, Stroke, Style, Window};
+use mesh_io::svg::{Color, Panel, Stroke, Window};
+
+use super::classes::{Class, Classes};
 
 /// A plane on which one coordinate is fixed.
 #[derive(Clone, Copy, Debug)]
@@ -14,15 +16,18 @@ pub(super) enum Plane {
     Z(f64),
 }
 
-/// A class of ratios r/l: those up to a bound that belong to no class before.
-struct Class {
-    bound: f64,
-    color: Color,
-    text: &'static str,
-}
+/// Good tetrahedra are blue, those of low quality yellow to red. Many meet the plane in specks: a line hardly to be seen round
+/// each.
+pub(super) const RATIOS: Classes = Classes {
+    all: CLASSES,
+    edge: Stroke {
+        color: Color::INK,
+        width: 0.2,
+        dotted: false,
+    },
+};
 
-/// Good tetrahedra are blue, those of low quality yellow to red.
-const CLASSES: [Class; 5] = [
+const CLASSES: &[Class] = &[
     Class {
         bound: 1.0,
         color: Color::SKY,
@@ -50,46 +55,18 @@ const CLASSES: [Class; 5] = [
     },
 ];
 
-/// Many tetrahedra meet the plane in specks: a line hardly to be seen round each.
-const EDGE: Stroke = Stroke {
-    color: Color::INK,
-    width: 0.2,
-    dotted: false,
-};
-
 /// The piece of the plane inside `solid`, one polygon for each tetrahedron it meets.
 pub(super) fn panel(solid: &Subcomplex3, plane: Plane, caption: &str) -> Panel {
     let tetrahedra = solid.tets().map(|t| solid.tetrahedron(t));
-    let pieces: Vec<(usize, Vec<DVec2>)> = tetrahedra
-        .filter_map(|corners| Some((class_of(corners), plane.section(corners)?)))
+    let pieces: Vec<(f64, Vec<DVec2>)> = tetrahedra
+        .filter_map(|corners| Some((radius_edge_ratio(corners), plane.section(corners)?)))
         .collect();
     let corners = pieces
         .iter()
         .flat_map(|(_, corners)| corners.iter().copied());
     let mut panel = Panel::new(Window::around(corners).widened(0.01)).caption(caption);
-    for (index, class) in CLASSES.iter().enumerate() {
-        let of_class = pieces.iter().filter(|(class, _)| *class == index);
-        panel
-            .layer(class.text, Style::line(EDGE).filled(class.color))
-            .polygons(of_class.map(|(_, corners)| corners.iter().copied()));
-    }
+    RATIOS.draw(&mut panel, &pieces);
     panel
-}
-
-/// Adds the classes to the key.
-pub(super) fn keyed(picture: Picture) -> Picture {
-    CLASSES.iter().fold(picture, |picture, class| {
-        picture.key(
-            class.text,
-            Sample::Area(Style::line(EDGE).filled(class.color)),
-        )
-    })
-}
-
-fn class_of(corners: [DVec3; 4]) -> usize {
-    let ratio = radius_edge_ratio(corners);
-    let class = CLASSES.iter().position(|class| ratio <= class.bound);
-    class.unwrap_or(CLASSES.len() - 1)
 }
 
 impl Plane {

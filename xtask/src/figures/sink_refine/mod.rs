@@ -1,7 +1,9 @@
 //! Edelsbrunner & Guoy, *Sink-insertion for mesh improvement*.
 
+mod classes;
 mod cut;
 mod flow;
+mod graphs;
 mod report;
 mod solids;
 mod usa;

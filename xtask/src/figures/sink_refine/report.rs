@@ -49,7 +49,8 @@ fn quality(title: &str, paper: &Printed, runs: &Runs) -> Table {
         .row(mesh("economical", runs.economical.rounds.last()))
 }
 
-fn mesh(name: &str, mesh: Option<&Round>) -> [String; 6] {
+/// Size and quality of a mesh: name, elements, those of low quality, and least, mean and largest r/l.
+pub(super) fn mesh(name: &str, mesh: Option<&Round>) -> [String; 6] {
     let mesh = mesh.copied().unwrap_or_default();
     [
         String::from(name),

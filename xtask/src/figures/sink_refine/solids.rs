@@ -9,8 +9,9 @@ use mesh_io::svg::{Color, Picture, Stroke};
 use sink_refine::{Candidate, Coarsening, Method, Outcome3, Params, Round, Schedule, refine3};
 
 use super::cut::{self, Plane};
+use super::graphs;
 use super::report::{Printed, PrintedRow, report};
-use crate::figures::plot::{Graph, Scale, stacked};
+use crate::figures::plot::{Graph, Scale};
 use crate::figures::table::grouped;
 use crate::figures::{Render, Rendered};
 
@@ -142,16 +143,13 @@ fn picture(example: &Example, before: &Subcomplex3, after: &Outcome3) -> Picture
             example.plane,
             &format!("and through the {last} after sinks were inserted"),
         ))
-        .panel(stacked(&graphs(&after.rounds), GRAPHS).caption("round by round"));
-    cut::keyed(picture)
+        .panel(graphs::panel(&graphs(&after.rounds), "round by round"));
+    cut::RATIOS.keyed(picture)
 }
-
-/// Pixels of the panel with the graphs.
-const GRAPHS: [f64; 2] = [424.0, 420.0];
 
 fn graphs(rounds: &[Round]) -> [Graph; 3] {
     let of = |value: fn(&Round) -> f64| rounds.iter().map(value);
-    let [ink, blue, red] = [Color::INK, Color::BLUE, Color::RED].map(Stroke::medium);
+    let [blue, red] = [Color::BLUE, Color::RED].map(Stroke::medium);
     [
         Graph::new(Scale::Linear)
             .line("tetrahedra", blue, of(|round| round.elements as f64))
@@ -159,10 +157,6 @@ fn graphs(rounds: &[Round]) -> [Graph; 3] {
         Graph::new(Scale::Log)
             .line("their sinks", blue, of(|round| round.candidates as f64))
             .line("independent", red, of(|round| round.inserted as f64)),
-        Graph::new(Scale::Log)
-            .line("largest r/l", red, of(|round| round.max_ratio))
-            .line("mean", ink, of(|round| round.mean_ratio))
-            .line("smallest", blue, of(|round| round.min_ratio))
-            .line("bound", Stroke::dotted(Color::GREY), of(|_| 2.0)),
+        graphs::ratios(rounds, 2.0),
     ]
 }

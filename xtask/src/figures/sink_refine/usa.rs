@@ -4,37 +4,58 @@ use std::error::Error;
 
 use delaunay_core::measure::triangle::radius_edge_ratio;
 use delaunay_core::progress::silent;
-use delaunay_core::{BuildOptions, FaceId, Outline, Subcomplex2, VertexId};
+use delaunay_core::{BuildOptions, Outline, Subcomplex2, VertexId};
 use fixtures::outlines;
 use glam::DVec2;
 use mesh_io::svg::{Color, Panel, Picture, Sample, Stroke, Style, Window};
 use sink_refine::{Candidate, Coarsening, Method, Outcome2, Params, Round, Schedule, refine2};
 
-use crate::figures::plot::{Graph, Scale, stacked};
+use super::classes::{Class, Classes};
+use super::graphs;
+use super::report::mesh;
+use crate::figures::plot::{Graph, Scale};
 use crate::figures::table::{Table, grouped};
 use crate::figures::{Render, Rendered};
 
 /// Numbers of sinks after which the paper shows the mesh.
 const SINKS: [usize; 3] = [4, 12, 15];
 
-/// Triangles up to a ratio, in a colour.
-const CLASSES: [(f64, Color, &str); 4] = [
-    (1.0, Color::SKY, "r/l up to 1"),
-    (2.0, Color([0xf6, 0xe6, 0xbd]), "of low quality: 1 to 2"),
-    (4.0, Color([0xe3, 0xb5, 0x57]), "2 to 4"),
-    (f64::INFINITY, Color::RED, "above 4"),
-];
-
-const EDGE: Stroke = Stroke {
-    color: Color::INK,
-    width: 0.4,
-    dotted: false,
+/// Good triangles are blue, those of low quality yellow to red.
+const RATIOS: Classes = Classes {
+    all: &[
+        Class {
+            bound: 1.0,
+            color: Color::SKY,
+            text: "r/l up to 1",
+        },
+        Class {
+            bound: 2.0,
+            color: Color([0xf6, 0xe6, 0xbd]),
+            text: "of low quality: 1 to 2",
+        },
+        Class {
+            bound: 4.0,
+            color: Color([0xe3, 0xb5, 0x57]),
+            text: "2 to 4",
+        },
+        Class {
+            bound: f64::INFINITY,
+            color: Color::RED,
+            text: "above 4",
+        },
+    ],
+    edge: Stroke {
+        color: Color::INK,
+        width: 0.4,
+        dotted: false,
+    },
 };
 
 /// Figure 6.
 pub(super) fn first_sinks() -> Render {
     let given = region()?;
-    let mut picture = keyed(Picture::new("Figure 6: the first sinks"))
+    let mut picture = RATIOS
+        .keyed(Picture::new("Figure 6: the first sinks"))
         .panel(panel(&given, &format!("{} triangles", count(&given))));
     let mut table = Table::new(
         "Figure 6: the first sinks, worst triangles first",
@@ -82,8 +103,10 @@ pub(super) fn all_methods() -> Render {
         );
         picture = picture.panel(panel(&outcome.region, &caption));
     }
-    let picture =
-        picture.panel(stacked(&graphs(&sinks.rounds), GRAPHS).caption("block by block, sinks"));
+    let picture = picture.panel(graphs::panel(
+        &graphs(&sinks.rounds),
+        "block by block, sinks",
+    ));
 
     let initial = sinks.rounds.first().copied().unwrap_or_default();
     let header = [
@@ -146,7 +169,7 @@ pub(super) fn all_methods() -> Render {
         ));
     }
     Ok(Rendered {
-        svg: keyed(picture).to_svg()?,
+        svg: RATIOS.keyed(picture).to_svg()?,
         summary: table.to_string(),
     })
 }
@@ -192,45 +215,21 @@ fn last(outcome: &Outcome2) -> Round {
 }
 
 fn row(name: &str, round: &Round, tested: &str) -> [String; 7] {
-    [
-        name.to_owned(),
-        grouped(round.elements),
-        grouped(round.low),
-        format!("{:.3}", round.min_ratio),
-        format!("{:.3}", round.mean_ratio),
-        format!("{:.3}", round.max_ratio),
-        tested.to_owned(),
-    ]
+    let [name, elements, low, min, mean, max] = mesh(name, Some(round));
+    [name, elements, low, min, mean, max, tested.to_owned()]
 }
 
 /// Triangles coloured by their ratio.
 fn panel(region: &Subcomplex2, caption: &str) -> Panel {
     let window = Window::around(region.points().iter().copied()).widened(0.02);
     let mut panel = Panel::new(window).caption(caption);
-    for (index, (_, color, text)) in CLASSES.into_iter().enumerate() {
-        let of_class = region.faces().filter(|&f| class_of(region, f) == index);
-        panel
-            .layer(text, Style::line(EDGE).filled(color))
-            .polygons(of_class.map(|f| region.triangle(f)));
-    }
+    let triangles = region.faces().map(|f| region.triangle(f));
+    let pieces: Vec<(f64, Vec<DVec2>)> = triangles
+        .map(|corners| (radius_edge_ratio(corners), corners.to_vec()))
+        .collect();
+    RATIOS.draw(&mut panel, &pieces);
     panel
 }
-
-fn class_of(region: &Subcomplex2, f: FaceId) -> usize {
-    let ratio = radius_edge_ratio(region.triangle(f));
-    let class = CLASSES.iter().position(|&(bound, ..)| ratio <= bound);
-    class.unwrap_or(CLASSES.len() - 1)
-}
-
-fn keyed(picture: Picture) -> Picture {
-    let add = |picture: Picture, (_, color, text): (f64, Color, &str)| {
-        picture.key(text, Sample::Area(Style::line(EDGE).filled(color)))
-    };
-    CLASSES.into_iter().fold(picture, add)
-}
-
-/// Pixels of the panel with the graphs.
-const GRAPHS: [f64; 2] = [424.0, 420.0];
 
 fn graphs(rounds: &[Round]) -> [Graph; 2] {
     let of = |value: fn(&Round) -> f64| rounds.iter().map(value);
@@ -240,10 +239,6 @@ fn graphs(rounds: &[Round]) -> [Graph; 2] {
             .line("of low quality", red, of(|round| round.low as f64))
             .line("their sinks", blue, of(|round| round.candidates as f64))
             .line("in the block", ink, of(|round| round.inserted as f64)),
-        Graph::new(Scale::Log)
-            .line("largest r/l", red, of(|round| round.max_ratio))
-            .line("mean", ink, of(|round| round.mean_ratio))
-            .line("smallest", blue, of(|round| round.min_ratio))
-            .line("bound", Stroke::dotted(Color::GREY), of(|_| 1.0)),
+        graphs::ratios(rounds, 1.0),
     ]
 }
