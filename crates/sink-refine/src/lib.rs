@@ -59,9 +59,14 @@
 mod error;
 mod history;
 mod params;
+mod random_points;
+mod spheres;
+mod stamp;
 mod stop;
+mod taken;
 pub mod tet;
 pub mod tri;
+mod worklist;
 
 pub use error::RefineError;
 pub use history::{Counters, Round};

@@ -1,9 +1,10 @@
 //! The points to insert for a tetrahedron of low quality: its sinks or its circumcenter.
 
 use super::flow::FlowWalk;
-use super::records::{Records, Stamp};
+use super::records::Records;
 use super::watershed::Watersheds;
 use crate::params::Candidate;
+use crate::stamp::Stamp;
 use delaunay_core::measure::tetrahedron::circumcenter;
 use delaunay_core::{Subcomplex3, TetId};
 use glam::DVec3;
@@ -78,7 +79,7 @@ impl Candidates {
     pub(crate) fn all(&mut self, solid: &Subcomplex3, records: &Records) -> Vec<Site> {
         let mut found = match self.kind {
             Candidate::Sink => self.watersheds.sinks(solid, records),
-            Candidate::Circumcenter => records.all_low(),
+            Candidate::Circumcenter => records.all_low().collect(),
         };
         found.par_sort_unstable_by(|(s, r), (t, q)| q.total_cmp(r).then(s.cmp(t)));
         let sites = found.into_iter().map(|(tet, _)| Site::of(tet, records));

@@ -7,9 +7,9 @@
 //! | square distances π and φ (§3.1) | `square_distance.rs` |
 //! | stable subcomplex (§5.1) | `stable.rs` |
 //! | prestar, boundary test (§4.1, §5.1) | `proposal.rs` |
-//! | independence, orthogonality (§4.4) | `independence.rs`, `spheres.rs` |
+//! | independence, orthogonality (§4.4) | `independence.rs` |
 //! | minimum separation, number of vertices (§4.4) | `separation.rs` |
-//! | low quality (§4.3) | `records.rs`, `worklist.rs`, `low.rs` |
+//! | low quality (§4.3) | `records.rs`, `low.rs` |
 //! | sinks or circumcenters | `candidate.rs`, `watershed.rs` |
 //! | schedules (§4.5) | `schedule/` |
 //! | fewer points | `economical/` |
@@ -27,11 +27,9 @@ mod refine;
 mod refiner;
 mod schedule;
 mod separation;
-mod spheres;
 mod square_distance;
 mod stable;
 mod watershed;
-mod worklist;
 
 pub use flow::{FlowWalk, Successor3, is_sink, sink, successors};
 pub use flow_graph::FlowGraph3;

@@ -1,6 +1,7 @@
 //! What is remembered of every tetrahedron: its ratio r/l (§4.3), where the flow leaves it (§3.3), and when it was made.
 
 use super::flow::FlowFacets;
+use crate::stamp::Stamp;
 use delaunay_core::measure::tetrahedron::radius_edge_ratio;
 use delaunay_core::{Subcomplex3, TetId};
 use glam::DVec3;
@@ -12,7 +13,8 @@ pub(crate) struct Records {
     bound: f64,
     /// By tetrahedron.
     entries: Vec<Entry>,
-    changes: u32,
+    /// That of the last change.
+    last: Stamp,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -22,14 +24,10 @@ struct Entry {
     flow: FlowFacets,
 }
 
-/// When a tetrahedron was made: never the same for two tetrahedra that had one id.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Stamp(u32);
-
 impl Entry {
     const GONE: Self = Self {
         squared_ratio: 0.0,
-        stamp: Stamp(0),
+        stamp: Stamp::NONE,
         flow: FlowFacets::NONE,
     };
 
@@ -48,7 +46,7 @@ impl Records {
         let mut records = Self {
             bound,
             entries: Vec::new(),
-            changes: 0,
+            last: Stamp::NONE,
         };
         let tets: Vec<TetId> = solid.tets().collect();
         records.examine_together(solid, &tets);
@@ -57,8 +55,7 @@ impl Records {
 
     /// Measures tetrahedra that are new.
     pub(crate) fn examine(&mut self, solid: &Subcomplex3, tets: &[TetId]) {
-        self.changes += 1;
-        let stamp = Stamp(self.changes);
+        let stamp = self.last.advance();
         self.entries.resize(solid.mesh().tet_slots(), Entry::GONE);
         for &t in tets {
             self.entries[t.index()] = Entry::of(solid, t, stamp);
@@ -67,8 +64,7 @@ impl Records {
 
     /// As [`examine`](Self::examine), on all threads.
     pub(crate) fn examine_together(&mut self, solid: &Subcomplex3, tets: &[TetId]) {
-        self.changes += 1;
-        let stamp = Stamp(self.changes);
+        let stamp = self.last.advance();
         let chunks = tets.par_chunks(1 << 10);
         let new: Vec<Vec<Entry>> = chunks
             .map(|tets| tets.iter().map(|&t| Entry::of(solid, t, stamp)).collect())
@@ -93,7 +89,7 @@ impl Records {
 
     /// Whether there is a tetrahedron of this id.
     pub(crate) fn is_there(&self, t: TetId) -> bool {
-        self.entries[t.index()].stamp != Entry::GONE.stamp
+        self.entries[t.index()].stamp != Stamp::NONE
     }
 
     pub(crate) fn stamp(&self, t: TetId) -> Stamp {
@@ -123,15 +119,15 @@ impl Records {
         let there = self
             .entries
             .iter()
-            .filter(|entry| entry.stamp != Entry::GONE.stamp);
+            .filter(|entry| entry.stamp != Stamp::NONE);
         there.map(|entry| entry.squared_ratio.sqrt())
     }
 
     /// All tetrahedra of low quality with their squared ratios, by id.
-    pub(crate) fn all_low(&self) -> Vec<(TetId, f64)> {
+    pub(crate) fn all_low(&self) -> impl Iterator<Item = (TetId, f64)> {
         let all = (0..self.slots()).map(TetId::new);
         let low = all.filter(|&t| self.is_low(t));
-        low.map(|t| (t, self.squared_ratio(t))).collect()
+        low.map(|t| (t, self.squared_ratio(t)))
     }
 
     /// Whether a squared ratio is one of low quality.

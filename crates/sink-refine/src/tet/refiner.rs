@@ -2,9 +2,10 @@
 
 use super::proposal::{Proposal, Rejection3};
 use super::records::Records;
-use super::worklist::Worklist;
 use crate::history::{Counters, Round};
+use crate::stamp::Stamp;
 use crate::stop::Stop;
+use crate::worklist::{Entry, Worklist};
 use delaunay_core::measure::Summary;
 use delaunay_core::progress::Meter;
 use delaunay_core::{Patch, Subcomplex3, TetId, VertexId};
@@ -15,7 +16,7 @@ use glam::DVec3;
 pub(crate) struct Refiner<'a> {
     pub(crate) solid: Subcomplex3,
     pub(crate) records: Records,
-    pub(crate) worklist: Worklist,
+    worklist: Worklist<TetId>,
     pub(crate) counters: Counters,
     pub(crate) rounds: Vec<Round>,
     /// The point tested last.
@@ -33,19 +34,19 @@ impl<'a> Refiner<'a> {
         budget: usize,
         meter: Meter<'a>,
     ) -> Self {
-        let mut worklist = Worklist::default();
-        worklist.examine(&records, solid.tets());
-        Self {
+        let mut refiner = Self {
             solid,
             records,
-            worklist,
+            worklist: Worklist::new(),
             counters: Counters::default(),
             rounds: Vec::new(),
             proposal: Proposal::default(),
             budget,
             meter,
             gone: Vec::new(),
-        }
+        };
+        refiner.list_all();
+        refiner
     }
 
     /// Tests a point, see [`Proposal::make`].
@@ -154,14 +155,87 @@ impl<'a> Refiner<'a> {
     /// Measures new tetrahedra and puts those of low quality on the worklist.
     pub(crate) fn examine(&mut self, tets: &[TetId]) {
         self.records.examine(&self.solid, tets);
-        self.worklist.examine(&self.records, tets.iter().copied());
+        self.list(tets);
+    }
+
+    /// Lists all tetrahedra of low quality.
+    fn list_all(&mut self) {
+        let all: Vec<TetId> = self.solid.tets().collect();
+        self.list(&all);
+    }
+
+    /// Lists those of tetrahedra that are of low quality.
+    fn list(&mut self, tets: &[TetId]) {
+        for &tet in tets {
+            if self.records.is_low(tet) {
+                self.worklist.push(self.entry(tet));
+            }
+        }
+    }
+
+    fn entry(&self, tet: TetId) -> Entry<TetId> {
+        Entry {
+            urgency: self.records.squared_ratio(tet),
+            id: tet,
+            stamp: self.records.stamp(tet),
+        }
+    }
+
+    /// Lets `insert_for` have each tetrahedron of low quality, those put aside too, in passes that are recorded as rounds, until a
+    /// pass inserts nothing.
+    ///
+    /// # Errors
+    /// That of `insert_for`.
+    pub(crate) fn in_passes(
+        &mut self,
+        mut insert_for: impl FnMut(&mut Self, TetId) -> Result<(), Stop>,
+    ) -> Result<(), Stop> {
+        loop {
+            self.begin_round();
+            let inserted = self.pass(&mut insert_for)?;
+            self.round().inserted = inserted;
+            if inserted == 0 {
+                return Ok(());
+            }
+            self.resume();
+        }
+    }
+
+    /// Lets `insert_for` have each tetrahedron that is listed; tells how many points were inserted.
+    ///
+    /// # Errors
+    /// That of `insert_for`.
+    pub(crate) fn pass(
+        &mut self,
+        mut insert_for: impl FnMut(&mut Self, TetId) -> Result<(), Stop>,
+    ) -> Result<usize, Stop> {
+        let before = self.counters.inserted;
+        while let Some(tet) = self.worklist.next(|id| self.records.stamp(id)) {
+            insert_for(self, tet)?;
+        }
+        Ok(self.counters.inserted - before)
+    }
+
+    /// Lists the tetrahedra put aside again.
+    pub(crate) fn resume(&mut self) {
+        self.worklist.resume(|id| self.records.stamp(id));
+    }
+
+    /// Lists a tetrahedron of the time of `stamp` again when something was inserted for it, else puts it aside; not when it is gone.
+    pub(crate) fn put_back(&mut self, tet: TetId, stamp: Stamp, inserted: bool) {
+        if self.records.stamp(tet) == stamp {
+            match inserted {
+                true => self.list(&[tet]),
+                false => self.worklist.park(self.entry(tet)),
+            }
+        }
     }
 
     /// Starts a round: takes down the size and quality of the mesh.
     pub(crate) fn begin_round(&mut self) -> &mut Round {
         let mut round = Round {
             vertices: self.solid.vertex_count(),
-            low: self.records.all_low().len(),
+            low: self.records.all_low().count(),
             ..Round::default()
         };
         if let Some(ratios) = Summary::of(self.records.ratios()) {

@@ -37,3 +37,29 @@ fn is_unstable(delaunay: &Delaunay3, f: FacetId) -> bool {
     let [a, b, c] = mesh.facet_vertices(f).map(|v| delaunay.point(v));
     in_diametral_ball(a, b, c, delaunay.point(mesh.apex(f))) == Sign::Positive
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tet::FlowGraph3;
+    use delaunay_core::Subcomplex3;
+    use glam::DVec3;
+
+    #[test]
+    fn no_flow_leaves_the_stable_part() {
+        let point = |i: u32| (f64::from(i * i) * DVec3::new(0.1234, 0.2345, 0.3456)).fract();
+        let points: Vec<DVec3> = (1..=300).map(point).collect();
+        let delaunay = Delaunay3::build(&points).unwrap();
+        let outlets = |stays: &[bool]| {
+            let part = Subcomplex3::of(&delaunay, |t| stays[t.index()]);
+            FlowGraph3::of(&part).outlets().len()
+        };
+        let whole = vec![true; delaunay.mesh().tet_slots()];
+        assert!(outlets(&whole) > 0);
+        let stable = stable_tets(&delaunay, |_| true);
+        assert!(stable.iter().filter(|&&stays| stays).count() > 100);
+        assert_eq!(outlets(&stable), 0);
+        // It is stable already.
+        assert_eq!(stable_tets(&delaunay, |t| stable[t.index()]), stable);
+    }
+}

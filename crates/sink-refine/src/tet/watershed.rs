@@ -63,15 +63,13 @@ impl Watersheds {
     /// Finds the tetrahedra of low quality and all that their flows pass.
     fn reach(&mut self, solid: &Subcomplex3, records: &Records) {
         self.reached.clear();
-        for t in (0..records.slots()).map(TetId::new) {
-            if records.is_low(t) {
-                self.nodes[t.index()] = Node {
-                    is_reached: true,
-                    waiting: 0,
-                    worst: records.squared_ratio(t),
-                };
-                self.reached.push(t);
-            }
+        for (t, worst) in records.all_low() {
+            self.nodes[t.index()] = Node {
+                is_reached: true,
+                waiting: 0,
+                worst,
+            };
+            self.reached.push(t);
         }
         let mut next = 0;
         while let Some(&t) = self.reached.get(next) {

@@ -1,8 +1,9 @@
 //! The point to insert for a triangle of low quality: its sink or its circumcenter.
 
 use super::flow::sink_triangle;
-use super::records::{Records, Stamp};
+use super::records::Records;
 use crate::params::Candidate;
+use crate::stamp::Stamp;
 use delaunay_core::measure::triangle::circumcenter;
 use delaunay_core::{FaceId, Subcomplex2};
 use glam::DVec2;

@@ -9,7 +9,7 @@
 //! | prestar, boundary test (§4.1, §5.1) | `proposal.rs` |
 //! | independence, orthogonality (§4.4) | `independence.rs` |
 //! | minimum separation, number of vertices (§4.4) | `separation.rs` |
-//! | low quality (§4.3) | `records.rs`, `worklist.rs`, `low.rs` |
+//! | low quality (§4.3) | `records.rs`, `low.rs` |
 //! | sinks or circumcenters | `candidate.rs` |
 //! | schedules (§4.5) | `schedule/` |
 //! | fewer points | `economical/` |
@@ -29,7 +29,6 @@ mod separation;
 mod sinks;
 mod square_distance;
 mod stable;
-mod worklist;
 
 pub use flow::{Successor, Triangles, flows_through, path, successor};
 pub use independence::{are_independent, are_orthogonal_or_further};

@@ -1,6 +1,7 @@
 //! What is remembered of every triangle: its ratio r/l (§4.3), where the flow leaves it (§3.3), and when it was made.
 
 use super::flow::exit;
+use crate::stamp::Stamp;
 use delaunay_core::measure::triangle::radius_edge_ratio;
 use delaunay_core::{FaceId, HalfEdgeId, Subcomplex2};
 use glam::DVec2;
@@ -11,7 +12,8 @@ pub(crate) struct Records {
     bound: f64,
     /// By triangle.
     entries: Vec<Entry>,
-    changes: u32,
+    /// That of the last change.
+    last: Stamp,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -22,14 +24,10 @@ struct Entry {
     exit: Option<HalfEdgeId>,
 }
 
-/// When a triangle was made: never the same for two triangles that had one id.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Stamp(u32);
-
 impl Entry {
     const GONE: Self = Self {
         squared_ratio: 0.0,
-        stamp: Stamp(0),
+        stamp: Stamp::NONE,
         squared_shortest: 0.0,
         exit: None,
     };
@@ -41,7 +39,7 @@ impl Records {
         let mut records = Self {
             bound,
             entries: Vec::new(),
-            changes: 0,
+            last: Stamp::NONE,
         };
         records.examine(region, region.faces());
         records
@@ -53,13 +51,13 @@ impl Records {
         region: &Subcomplex2,
         faces: impl IntoIterator<Item = FaceId>,
     ) {
-        self.changes += 1;
+        let stamp = self.last.advance();
         self.entries.resize(region.mesh().face_count(), Entry::GONE);
         for f in faces {
             let corners = region.triangle(f);
             self.entries[f.index()] = Entry {
                 squared_ratio: squared_ratio(corners),
-                stamp: Stamp(self.changes),
+                stamp,
                 squared_shortest: squared_edges(corners)
                     .into_iter()
                     .fold(f64::INFINITY, f64::min),
@@ -82,7 +80,7 @@ impl Records {
 
     /// Whether there is a triangle of this id.
     pub(crate) fn is_there(&self, f: FaceId) -> bool {
-        self.entry(f).stamp != Entry::GONE.stamp
+        self.entry(f).stamp != Stamp::NONE
     }
 
     pub(crate) fn stamp(&self, f: FaceId) -> Stamp {

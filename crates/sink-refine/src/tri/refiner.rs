@@ -2,20 +2,32 @@
 
 use super::proposal::{Proposal, Rejection2};
 use super::records::Records;
-use super::worklist::{Urgency, Worklist};
 use crate::history::{Counters, Round};
+use crate::stamp::Stamp;
 use crate::stop::Stop;
+use crate::worklist::{Entry, Worklist};
 use delaunay_core::measure::Summary;
 use delaunay_core::progress::Meter;
 use delaunay_core::{FaceId, Patch2, Refilled, Subcomplex2, VertexId};
 use glam::DVec2;
+
+/// Which triangle is the most urgent.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Urgency {
+    /// The one with the largest ratio.
+    #[default]
+    WorstRatio,
+    /// The one with the shortest edge.
+    ShortestEdge,
+}
 
 /// The state that all schedules share.
 #[derive(Debug)]
 pub(crate) struct Refiner<'a> {
     pub(crate) region: Subcomplex2,
     pub(crate) records: Records,
-    pub(crate) worklist: Worklist,
+    urgency: Urgency,
+    worklist: Worklist<FaceId>,
     pub(crate) counters: Counters,
     pub(crate) rounds: Vec<Round>,
     /// The point tested last.
@@ -33,19 +45,20 @@ impl<'a> Refiner<'a> {
         budget: usize,
         meter: Meter<'a>,
     ) -> Self {
-        let mut worklist = Worklist::default();
-        worklist.examine(&records, region.faces());
-        Self {
+        let mut refiner = Self {
             region,
             records,
-            worklist,
+            urgency: Urgency::default(),
+            worklist: Worklist::new(),
             counters: Counters::default(),
             rounds: Vec::new(),
             proposal: Proposal::default(),
             budget,
             meter,
             gone: Vec::new(),
-        }
+        };
+        refiner.list_all();
+        refiner
     }
 
     /// Tests a point, see [`Proposal::make`].
@@ -128,14 +141,92 @@ impl<'a> Refiner<'a> {
 
     /// Begins to work in another order.
     pub(crate) fn reorder(&mut self, urgency: Urgency) {
-        self.worklist = Worklist::new(urgency);
-        self.worklist.examine(&self.records, self.region.faces());
+        self.urgency = urgency;
+        self.worklist = Worklist::new();
+        self.list_all();
     }
 
     /// Measures new triangles and puts those of low quality on the worklist.
     pub(crate) fn examine(&mut self, faces: &[FaceId]) {
         self.records.examine(&self.region, faces.iter().copied());
-        self.worklist.examine(&self.records, faces.iter().copied());
+        self.list(faces);
+    }
+
+    /// Lists all triangles of low quality.
+    fn list_all(&mut self) {
+        let all: Vec<FaceId> = self.region.faces().collect();
+        self.list(&all);
+    }
+
+    /// Lists those of triangles that are of low quality.
+    fn list(&mut self, faces: &[FaceId]) {
+        for &face in faces {
+            if self.records.is_low(face) {
+                self.worklist.push(self.entry(face));
+            }
+        }
+    }
+
+    fn entry(&self, face: FaceId) -> Entry<FaceId> {
+        let urgency = match self.urgency {
+            Urgency::WorstRatio => self.records.squared_ratio(face),
+            Urgency::ShortestEdge => -self.records.squared_shortest(face),
+        };
+        Entry {
+            urgency,
+            id: face,
+            stamp: self.records.stamp(face),
+        }
+    }
+
+    /// Lets `insert_for` have each triangle of low quality, those put aside too, in passes that are recorded as rounds, until a
+    /// pass inserts nothing.
+    ///
+    /// # Errors
+    /// That of `insert_for`.
+    pub(crate) fn in_passes(
+        &mut self,
+        mut insert_for: impl FnMut(&mut Self, FaceId) -> Result<(), Stop>,
+    ) -> Result<(), Stop> {
+        loop {
+            self.begin_round();
+            let inserted = self.pass(&mut insert_for)?;
+            self.round().inserted = inserted;
+            if inserted == 0 {
+                return Ok(());
+            }
+            self.resume();
+        }
+    }
+
+    /// Lets `insert_for` have each triangle that is listed; tells how many points were inserted.
+    ///
+    /// # Errors
+    /// That of `insert_for`.
+    pub(crate) fn pass(
+        &mut self,
+        mut insert_for: impl FnMut(&mut Self, FaceId) -> Result<(), Stop>,
+    ) -> Result<usize, Stop> {
+        let before = self.counters.inserted;
+        while let Some(face) = self.worklist.next(|id| self.records.stamp(id)) {
+            insert_for(self, face)?;
+        }
+        Ok(self.counters.inserted - before)
+    }
+
+    /// Lists the triangles put aside again.
+    pub(crate) fn resume(&mut self) {
+        self.worklist.resume(|id| self.records.stamp(id));
+    }
+
+    /// Lists a triangle of the time of `stamp` again when something was inserted for it, else puts it aside; not when it is gone.
+    pub(crate) fn put_back(&mut self, face: FaceId, stamp: Stamp, inserted: bool) {
+        if self.records.stamp(face) == stamp {
+            match inserted {
+                true => self.list(&[face]),
+                false => self.worklist.park(self.entry(face)),
+            }
+        }
     }
 
     /// Starts a round: takes down the size and quality of the mesh.

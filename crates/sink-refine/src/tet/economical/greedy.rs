@@ -17,19 +17,7 @@ const SHARES: [f64; 3] = [0.6, 0.5, 0.4];
 
 pub(super) fn run(refiner: &mut Refiner<'_>) -> Result<(), Stop> {
     let mut greedy = Greedy::default();
-    loop {
-        refiner.begin_round();
-        let before = refiner.counters.inserted;
-        while let Some(tet) = refiner.worklist.next(&refiner.records) {
-            greedy.insert_for(refiner, tet)?;
-        }
-        let inserted = refiner.counters.inserted - before;
-        refiner.round().inserted = inserted;
-        if inserted == 0 {
-            return Ok(());
-        }
-        refiner.worklist.resume(&refiner.records);
-    }
+    refiner.in_passes(|refiner, tet| greedy.insert_for(refiner, tet))
 }
 
 /// Room for choosing.
@@ -43,15 +31,12 @@ struct Greedy {
 impl Greedy {
     /// Inserts the best candidate of a tetrahedron that passes the tests, or puts the tetrahedron aside.
     fn insert_for(&mut self, refiner: &mut Refiner<'_>, tet: TetId) -> Result<(), Stop> {
-        if !self.choose(refiner, tet) {
-            refiner.worklist.park(&refiner.records, tet);
-            return Ok(());
-        }
         let stamp = refiner.records.stamp(tet);
-        refiner.insert(&mut self.best)?;
-        if refiner.records.stamp(tet) == stamp {
-            refiner.worklist.examine(&refiner.records, [tet]);
+        let found = self.choose(refiner, tet);
+        if found {
+            refiner.insert(&mut self.best)?;
         }
+        refiner.put_back(tet, stamp, found);
         Ok(())
     }
 

@@ -14,12 +14,11 @@ use super::super::refiner::Refiner;
 use super::gain::Gain;
 use super::greedy::candidates;
 use super::off_center::OffCenters;
+use crate::random_points::RandomPoints;
 use crate::stop::Stop;
 use delaunay_core::measure::facet::circumcenter;
 use delaunay_core::{FacetId, TetId};
 use glam::DVec3;
-use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 /// How often a point slides from one facet to the next.
 const SLIDES: usize = 3;
@@ -78,12 +77,8 @@ impl Cure {
     /// Tries all leftovers, the worst first, until none of them can be cured.
     fn all(&mut self, refiner: &mut Refiner<'_>) -> Result<(), Stop> {
         loop {
-            refiner.worklist.resume(&refiner.records);
-            let before = refiner.counters.inserted;
-            while let Some(tet) = refiner.worklist.next(&refiner.records) {
-                self.one(refiner, tet)?;
-            }
-            if refiner.counters.inserted == before {
+            refiner.resume();
+            if refiner.pass(|refiner, tet| self.one(refiner, tet))? == 0 {
                 return Ok(());
             }
         }
@@ -103,9 +98,7 @@ impl Cure {
         if self.best_gain.low < 0 {
             refiner.insert(&mut self.best)?;
         }
-        if refiner.records.stamp(tet) == stamp {
-            refiner.worklist.park(&refiner.records, tet);
-        }
+        refiner.put_back(tet, stamp, false);
         Ok(())
     }
 
@@ -141,30 +134,14 @@ impl Cure {
         let around = tet.facets().map(|f| mesh.twin(f).tet());
         let around = around.into_iter().filter(|&t| !mesh.is_ghost_tet(t));
         let homes: Vec<TetId> = std::iter::once(tet).chain(around).collect();
-        let mut rng = ChaCha8Rng::seed_from_u64(fingerprint(refiner.solid.tetrahedron(tet)));
+        let corners = refiner.solid.tetrahedron(tet);
+        let mut random = RandomPoints::of(corners.iter().flat_map(DVec3::to_array));
         for trial in 0..self.effort.trials {
             let home = homes[trial % homes.len()];
-            let corners = refiner.solid.tetrahedron(home);
-            let shares: [f64; 4] = std::array::from_fn(|_| rng.random_range(0.01..1.0));
-            let total: f64 = shares.iter().sum();
-            let weighted = corners.into_iter().zip(shares);
-            let point = weighted
-                .map(|(corner, share)| corner * (share / total))
-                .sum();
+            let point = random.next_in(refiner.solid.tetrahedron(home));
             self.candidates.push((point, home));
         }
     }
-}
-
-/// A number that depends on the places of the corners alone, not on their order.
-fn fingerprint(corners: [DVec3; 4]) -> u64 {
-    let coordinates = corners.iter().flat_map(DVec3::to_array);
-    let mixed = coordinates.map(|x| {
-        x.to_bits()
-            .wrapping_mul(0x9e37_79b9_7f4a_7c15)
-            .rotate_left(31)
-    });
-    mixed.fold(0, u64::wrapping_add)
 }
 
 /// `point` moved just out of the diametral sphere of a boundary facet, to the inside.

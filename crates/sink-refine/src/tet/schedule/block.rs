@@ -7,8 +7,8 @@
 use super::super::candidate::{Candidates, Site};
 use super::super::independence::are_orthogonal_or_further;
 use super::super::refiner::Refiner;
-use super::super::spheres::Spheres;
 use crate::params::Candidate;
+use crate::spheres::Spheres;
 use crate::stop::Stop;
 use glam::DVec3;
 
@@ -47,7 +47,10 @@ fn orthogonal_subset(
     candidates: &mut Candidates,
     sites: &[Site],
 ) -> Vec<Sphere> {
-    let mut block = Block::default();
+    let mut block = Block {
+        chosen: Vec::new(),
+        spheres: Spheres::new(),
+    };
     for &site in sites {
         let (center, radius) = site.sphere(&refiner.solid);
         let sphere = Sphere {
@@ -66,23 +69,24 @@ fn orthogonal_subset(
 }
 
 /// Spheres that are mutually orthogonal or further than orthogonal.
-#[derive(Default)]
 struct Block {
     chosen: Vec<Sphere>,
-    spheres: Spheres,
+    spheres: Spheres<[f64; 3]>,
 }
 
 impl Block {
     fn has_room_for(&self, &Sphere { center, radius, .. }: &Sphere) -> bool {
         self.spheres.near_all(
-            center,
+            center.to_array(),
             |largest| radius * radius + largest * largest,
-            |other| are_orthogonal_or_further(other, (center, radius)),
+            |other, its_radius| {
+                are_orthogonal_or_further((DVec3::from(other), its_radius), (center, radius))
+            },
         )
     }
 
     fn push(&mut self, sphere: Sphere) {
-        self.spheres.insert(sphere.center, sphere.radius);
+        self.spheres.insert(sphere.center.to_array(), sphere.radius);
         self.chosen.push(sphere);
     }
 }

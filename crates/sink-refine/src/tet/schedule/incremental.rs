@@ -14,21 +14,11 @@ use delaunay_core::TetId;
 pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop> {
     let mut candidates = Candidates::new(kind);
     let mut walk = FlowWalk::default();
-    loop {
-        refiner.begin_round();
-        let before = refiner.counters.inserted;
-        while let Some(tet) = refiner.worklist.next(&refiner.records) {
-            let (solid, records) = (&refiner.solid, &refiner.records);
-            let sites = candidates.of(solid, records, &mut walk, tet).collect();
-            insert_for(refiner, &mut candidates, tet, sites)?;
-        }
-        let inserted = refiner.counters.inserted - before;
-        refiner.round().inserted = inserted;
-        if inserted == 0 {
-            return Ok(());
-        }
-        refiner.worklist.resume(&refiner.records);
-    }
+    refiner.in_passes(|refiner, tet| {
+        let (solid, records) = (&refiner.solid, &refiner.records);
+        let sites = candidates.of(solid, records, &mut walk, tet).collect();
+        insert_for(refiner, &mut candidates, tet, sites)
+    })
 }
 
 /// Inserts the candidates of one tetrahedron that pass the tests.
@@ -52,11 +42,6 @@ fn insert_for(
             }
         }
     }
-    if refiner.records.stamp(tet) == stamp {
-        match inserted {
-            true => refiner.worklist.examine(&refiner.records, [tet]),
-            false => refiner.worklist.park(&refiner.records, tet),
-        }
-    }
+    refiner.put_back(tet, stamp, inserted);
     Ok(())
 }

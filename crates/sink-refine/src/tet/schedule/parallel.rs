@@ -10,9 +10,10 @@
 use super::super::candidate::{Candidates, Site};
 use super::super::proposal::{Proposal, Rejection3};
 use super::super::refiner::Refiner;
-use super::super::spheres::Spheres;
 use crate::params::Candidate;
+use crate::spheres::Spheres;
 use crate::stop::Stop;
+use crate::taken::Taken;
 use delaunay_core::{FacetId, Subcomplex3, TetId, VertexId};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -44,6 +45,12 @@ pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop
 }
 
 impl Tested {
+    /// The vertices of the closed prestar, some of them several times.
+    fn vertices(&self, solid: &Subcomplex3) -> impl Iterator<Item = VertexId> + Clone {
+        let facets = self.boundary.iter();
+        facets.flat_map(|&f| solid.mesh().facet_vertices(f))
+    }
+
     fn into_proposal(self) -> Proposal {
         let mut proposal = Proposal {
             point: self.point,
@@ -63,7 +70,7 @@ fn independent_subset(
     let mut taken = Taken::none(refiner.solid.points().len());
     let mut chosen = Vec::new();
     let mut waiting = sites.iter().copied();
-    let mut spheres = Spheres::default();
+    let mut spheres = Spheres::new();
     loop {
         // Where the first few prestars cover most of the mesh, more at the same time would be searched in vain.
         let size = (2 * chosen.len()).clamp(2, BATCH);
@@ -83,9 +90,9 @@ fn independent_subset(
                     .and_then(|tested| tested.as_ref().err().copied()),
             );
             match tested {
-                Some(Ok(tested)) if taken.take(&refiner.solid, &tested) => {
+                Some(Ok(tested)) if taken.take(tested.vertices(&refiner.solid)) => {
                     let (center, radius) = site.sphere(&refiner.solid);
-                    spheres.insert(center, radius);
+                    spheres.insert(center.to_array(), radius);
                     chosen.push(tested);
                 }
                 Some(Ok(_)) | None => {}
@@ -96,11 +103,11 @@ fn independent_subset(
 }
 
 /// Whether no sphere contains the center of another one, up to rounding: what is said to be inside is so.
-fn is_outside_all(spheres: &Spheres, (center, radius): (DVec3, f64)) -> bool {
+fn is_outside_all(spheres: &Spheres<[f64; 3]>, (center, radius): (DVec3, f64)) -> bool {
     const INSIDE: f64 = 1.0 - 1e-9;
     let reach = |largest: f64| largest.max(radius).powi(2);
-    spheres.near_all(center, reach, |(other, its_radius)| {
-        other.distance_squared(center) >= INSIDE * reach(its_radius)
+    spheres.near_all(center.to_array(), reach, |other, its_radius| {
+        DVec3::from(other).distance_squared(center) >= INSIDE * reach(its_radius)
     })
 }
 
@@ -123,34 +130,4 @@ fn test(
             }))
         })
         .collect()
-}
-
-/// The vertices of the closed prestars chosen in a round.
-struct Taken {
-    /// By vertex.
-    taken: Vec<bool>,
-}
-
-impl Taken {
-    fn none(vertices: usize) -> Self {
-        let taken = vec![false; vertices];
-        Self { taken }
-    }
-
-    fn is_free(&self, vertices: impl IntoIterator<Item = VertexId>) -> bool {
-        vertices.into_iter().all(|v| !self.taken[v.index()])
-    }
-
-    /// Takes the vertices of a closed prestar, unless one is taken already.
-    fn take(&mut self, solid: &Subcomplex3, tested: &Tested) -> bool {
-        let vertices = || {
-            let facets = tested.boundary.iter();
-            facets.flat_map(|&f| solid.mesh().facet_vertices(f))
-        };
-        let free = self.is_free(vertices());
-        if free {
-            vertices().for_each(|v| self.taken[v.index()] = true);
-        }
-        free
-    }
 }

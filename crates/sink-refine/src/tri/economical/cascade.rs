@@ -20,19 +20,7 @@ pub(super) const SHARE: f64 = 1.0 - 1e-9;
 
 pub(super) fn run(refiner: &mut Refiner<'_>) -> Result<(), Stop> {
     let mut candidates = Vec::new();
-    loop {
-        refiner.begin_round();
-        let before = refiner.counters.inserted;
-        while let Some(face) = refiner.worklist.next(&refiner.records) {
-            insert_for(refiner, &mut candidates, face)?;
-        }
-        let inserted = refiner.counters.inserted - before;
-        refiner.round().inserted = inserted;
-        if inserted == 0 {
-            return Ok(());
-        }
-        refiner.worklist.resume(&refiner.records);
-    }
+    refiner.in_passes(|refiner, face| insert_for(refiner, &mut candidates, face))
 }
 
 /// Inserts the first candidate of a triangle that passes the tests, or puts the triangle aside.
@@ -47,14 +35,11 @@ fn insert_for(
     let mut candidates = candidates.iter();
     let passes =
         |&(point, seed): &(DVec2, FaceId)| refiner.propose(point, seed, off.shortest).is_ok();
-    if !candidates.any(passes) {
-        refiner.worklist.park(&refiner.records, face);
-        return Ok(());
+    let found = candidates.any(passes);
+    if found {
+        refiner.insert_proposed()?;
     }
-    refiner.insert_proposed()?;
-    if refiner.records.stamp(face) == stamp {
-        refiner.worklist.examine(&refiner.records, [face]);
-    }
+    refiner.put_back(face, stamp, found);
     Ok(())
 }
 

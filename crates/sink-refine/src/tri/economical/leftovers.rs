@@ -13,11 +13,10 @@ use super::super::refiner::Refiner;
 use super::cascade::list_candidates;
 use super::gain::Gain;
 use super::off_center::OffCenters;
+use crate::random_points::RandomPoints;
 use crate::stop::Stop;
 use delaunay_core::{FaceId, HalfEdgeId};
 use glam::DVec2;
-use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
 
 /// How often a point slides from one edge to the next.
 const SLIDES: usize = 3;
@@ -73,12 +72,8 @@ impl Cure {
     /// Tries all leftovers, the most urgent first, until none of them can be cured.
     fn all(&mut self, refiner: &mut Refiner<'_>) -> Result<(), Stop> {
         loop {
-            refiner.worklist.resume(&refiner.records);
-            let before = refiner.counters.inserted;
-            while let Some(face) = refiner.worklist.next(&refiner.records) {
-                self.one(refiner, face)?;
-            }
-            if refiner.counters.inserted == before {
+            refiner.resume();
+            if refiner.pass(|refiner, face| self.one(refiner, face))? == 0 {
                 return Ok(());
             }
         }
@@ -98,9 +93,7 @@ impl Cure {
         if self.best_gain.low < 0 {
             refiner.insert(&mut self.best)?;
         }
-        if refiner.records.stamp(face) == stamp {
-            refiner.worklist.park(&refiner.records, face);
-        }
+        refiner.put_back(face, stamp, false);
         Ok(())
     }
 
@@ -142,30 +135,14 @@ impl Cure {
         let around = face.half_edges().map(|h| mesh.twin(h).face());
         let around = around.into_iter().filter(|&f| !mesh.is_ghost_face(f));
         let homes: Vec<FaceId> = std::iter::once(face).chain(around).collect();
-        let mut rng = ChaCha8Rng::seed_from_u64(fingerprint(refiner.region.triangle(face)));
+        let corners = refiner.region.triangle(face);
+        let mut random = RandomPoints::of(corners.iter().flat_map(DVec2::to_array));
         for trial in 0..self.effort.trials {
             let home = homes[trial % homes.len()];
-            let corners = refiner.region.triangle(home);
-            let shares: [f64; 3] = std::array::from_fn(|_| rng.random_range(0.01..1.0));
-            let total: f64 = shares.iter().sum();
-            let weighted = corners.into_iter().zip(shares);
-            let point = weighted
-                .map(|(corner, share)| corner * (share / total))
-                .sum();
+            let point = random.next_in(refiner.region.triangle(home));
             self.candidates.push((point, home));
         }
     }
-}
-
-/// A number that depends on the places of the corners alone, not on their order.
-fn fingerprint(corners: [DVec2; 3]) -> u64 {
-    let coordinates = corners.iter().flat_map(DVec2::to_array);
-    let mixed = coordinates.map(|x| {
-        x.to_bits()
-            .wrapping_mul(0x9e37_79b9_7f4a_7c15)
-            .rotate_left(31)
-    });
-    mixed.fold(0, u64::wrapping_add)
 }
 
 /// `point` moved just out of the diametral circle of a boundary edge, to the inside.

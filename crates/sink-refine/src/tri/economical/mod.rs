@@ -12,8 +12,7 @@ mod merging;
 mod off_center;
 mod removal;
 
-use super::refiner::Refiner;
-use super::worklist::Urgency;
+use super::refiner::{Refiner, Urgency};
 use crate::params::Coarsening;
 use crate::stop::Stop;
 

@@ -8,11 +8,10 @@ use super::super::candidate::{Candidates, Site};
 use super::super::independence::are_orthogonal_or_further;
 use super::super::refiner::Refiner;
 use crate::params::Candidate;
+use crate::spheres::Spheres;
 use crate::stop::Stop;
 use delaunay_core::measure::triangle::circumradius;
 use glam::DVec2;
-use rstar::RTree;
-use rstar::primitives::GeomWithData;
 
 /// A candidate with its circle.
 struct Circle {
@@ -49,7 +48,10 @@ fn orthogonal_subset(
     candidates: &mut Candidates,
     sites: &[Site],
 ) -> Vec<Circle> {
-    let mut block = Block::default();
+    let mut block = Block {
+        chosen: Vec::new(),
+        spheres: Spheres::new(),
+    };
     for &site in sites {
         let circle = Circle {
             site,
@@ -63,36 +65,28 @@ fn orthogonal_subset(
             }
         }
     }
-    block.circles
+    block.chosen
 }
 
 /// Circles that are mutually orthogonal or further than orthogonal.
-#[derive(Default)]
 struct Block {
-    circles: Vec<Circle>,
-    /// With their radii.
-    centers: RTree<GeomWithData<[f64; 2], f64>>,
-    largest_square: f64,
+    chosen: Vec<Circle>,
+    spheres: Spheres<[f64; 2]>,
 }
 
 impl Block {
-    fn has_room_for(&self, circle: &Circle) -> bool {
-        let square = circle.radius * circle.radius;
-        let near = self
-            .centers
-            .locate_within_distance(circle.center.to_array(), square + self.largest_square);
-        near.into_iter().all(|other| {
-            let other = (DVec2::from(*other.geom()), other.data);
-            are_orthogonal_or_further(other, (circle.center, circle.radius))
-        })
+    fn has_room_for(&self, &Circle { center, radius, .. }: &Circle) -> bool {
+        self.spheres.near_all(
+            center.to_array(),
+            |largest| radius * radius + largest * largest,
+            |other, its_radius| {
+                are_orthogonal_or_further((DVec2::from(other), its_radius), (center, radius))
+            },
+        )
     }
 
     fn push(&mut self, circle: Circle) {
-        let square = circle.radius * circle.radius;
-        let center = circle.center.to_array();
-        self.centers
-            .insert(GeomWithData::new(center, circle.radius));
-        self.largest_square = self.largest_square.max(square);
-        self.circles.push(circle);
+        self.spheres.insert(circle.center.to_array(), circle.radius);
+        self.chosen.push(circle);
     }
 }

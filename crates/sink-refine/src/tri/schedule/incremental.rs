@@ -12,19 +12,7 @@ use delaunay_core::FaceId;
 
 pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop> {
     let mut candidates = Candidates::new(kind);
-    loop {
-        refiner.begin_round();
-        let before = refiner.counters.inserted;
-        while let Some(face) = refiner.worklist.next(&refiner.records) {
-            insert_for(refiner, &mut candidates, face)?;
-        }
-        let inserted = refiner.counters.inserted - before;
-        refiner.round().inserted = inserted;
-        if inserted == 0 {
-            return Ok(());
-        }
-        refiner.worklist.resume(&refiner.records);
-    }
+    refiner.in_passes(|refiner, face| insert_for(refiner, &mut candidates, face))
 }
 
 /// Inserts the candidate of a triangle if it passes the tests, or puts the triangle aside.
@@ -44,11 +32,6 @@ fn insert_for(
             candidates.reject(site);
         }
     }
-    if refiner.records.stamp(face) == stamp {
-        match inserted {
-            true => refiner.worklist.examine(&refiner.records, [face]),
-            false => refiner.worklist.park(&refiner.records, face),
-        }
-    }
+    refiner.put_back(face, stamp, inserted);
     Ok(())
 }

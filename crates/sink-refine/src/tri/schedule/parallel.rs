@@ -11,7 +11,8 @@ use super::super::proposal::{Proposal, Rejection2};
 use super::super::refiner::Refiner;
 use crate::params::Candidate;
 use crate::stop::Stop;
-use delaunay_core::{FaceId, RimEdge, Subcomplex2, VertexId};
+use crate::taken::Taken;
+use delaunay_core::{FaceId, RimEdge, Subcomplex2};
 use glam::DVec2;
 use rayon::prelude::*;
 
@@ -70,7 +71,9 @@ fn independent_subset(
                     .and_then(|tested| tested.as_ref().err().copied()),
             );
             match tested {
-                Some(Ok(tested)) if taken.take(&tested) => chosen.push(tested),
+                Some(Ok(tested)) if taken.take(tested.rim.iter().map(|edge| edge.origin)) => {
+                    chosen.push(tested);
+                }
                 Some(Ok(_)) | None => {}
                 Some(Err(_)) => candidates.reject(site),
             }
@@ -97,31 +100,4 @@ fn test(
             }))
         })
         .collect()
-}
-
-/// The vertices of the closed prestars chosen in a round.
-struct Taken {
-    /// By vertex.
-    taken: Vec<bool>,
-}
-
-impl Taken {
-    fn none(vertices: usize) -> Self {
-        let taken = vec![false; vertices];
-        Self { taken }
-    }
-
-    fn is_free(&self, vertices: impl IntoIterator<Item = VertexId>) -> bool {
-        vertices.into_iter().all(|v| !self.taken[v.index()])
-    }
-
-    /// Takes the vertices of a closed prestar, unless one is taken already.
-    fn take(&mut self, tested: &Tested) -> bool {
-        let vertices = || tested.rim.iter().map(|edge| edge.origin);
-        let free = self.is_free(vertices());
-        if free {
-            vertices().for_each(|v| self.taken[v.index()] = true);
-        }
-        free
-    }
 }
