@@ -75,11 +75,13 @@ pub use tet::{
     Side, Star, Subcomplex3, TetMesh, Violation3, Voronoi3, VoronoiEdge3, VoronoiFacet3,
 };
 pub use tet::{Regular3, RegularViolation3};
-pub use tet::{Solid, SolidError, Surface, SurfaceError, TetBoundary, TetsError};
+pub use tet::{
+    Solid, SolidError, Surface, SurfaceError, TetBoundary, TetsError, triangles_intersect,
+};
 pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,
     PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,
 };
-pub use tri::{Outline, OutlineError, Region, RegionError};
+pub use tri::{Outline, OutlineError, Region, RegionError, segments_cross};
 pub use tri::{Patch2, Refilled, Subcomplex2};
 pub use tri::{Regular2, RegularViolation2};

@@ -8,7 +8,7 @@ use delaunay_core::measure::triangle::radius_edge_ratio;
 use delaunay_core::progress::silent;
 use delaunay_core::{BuildOptions, Outline, Subcomplex2, VertexId};
 use glam::DVec2;
-use sink_refine::{Candidate, Coarsening, Method, Params, Schedule, refine2};
+use sink_refine::{Boundary, Candidate, Coarsening, Method, Params, Schedule, refine2};
 use std::error::Error;
 use std::time::Instant;
 
@@ -21,19 +21,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let region = outline.region(BuildOptions::default(), &mut silent)?;
     let region = Subcomplex2::of(region.delaunay(), |f| region.is_inside(f));
     print("given", &region, "");
-    for (what, method) in methods() {
-        let params = Params {
-            ratio: 1.0,
-            method,
-            ..Params::default()
-        };
+    for (what, params) in all_params() {
         let start = Instant::now();
         let outcome = refine2(region.clone(), &params, &mut silent)?;
         let work = format!(
-            "{:4} low  {:5} tested {:4} inserted  {:.1} ms",
+            "{:4} low  {:5} tested {:4} inserted ({} on the boundary)  {:.1} ms",
             outcome.low.len(),
             outcome.counters.tested,
             outcome.counters.inserted,
+            outcome.counters.split,
             1e3 * start.elapsed().as_secs_f64(),
         );
         print(&what, &outcome.region, &work);
@@ -54,8 +50,24 @@ fn print(what: &str, region: &Subcomplex2, work: &str) {
         ..
     }) = Summary::of(ratios)
     {
-        println!("{what:26} {count:4} triangles  r/l {min:.2} {mean:.3} {max:.3} {work}");
+        println!("{what:30} {count:4} triangles  r/l {min:.2} {mean:.3} {max:.3} {work}");
     }
+}
+
+/// Every method, with the boundary kept and with the boundary split.
+fn all_params() -> impl Iterator<Item = (String, Params)> {
+    methods().into_iter().flat_map(|(what, method)| {
+        let kept = Params {
+            ratio: 1.0,
+            method,
+            ..Params::default()
+        };
+        let split = Params {
+            boundary: Boundary::Split { crease: 0.0 },
+            ..kept
+        };
+        [(what.clone(), kept), (format!("{what}, split"), split)]
+    })
 }
 
 fn methods() -> Vec<(String, Method)> {

@@ -8,7 +8,7 @@ use delaunay_core::measure::tetrahedron::radius_edge_ratio;
 use delaunay_core::progress::silent;
 use delaunay_core::{BuildOptions, Subcomplex3, Surface, VertexId};
 use fixtures::surfaces::{self, Triangles};
-use sink_refine::{Candidate, Coarsening, Method, Params, Schedule, refine3};
+use sink_refine::{Boundary, Candidate, Coarsening, Method, Params, Schedule, refine3};
 use std::error::Error;
 use std::time::Instant;
 
@@ -36,11 +36,7 @@ fn refine_all_ways(name: &str, set: Triangles, wanted: &str) -> Result<(), Box<d
     let solid = surface.solid(BuildOptions::default(), &mut silent)?;
     let solid = Subcomplex3::of(solid.delaunay(), |t| solid.is_inside(t));
     println!("{name}: {} tetrahedra", solid.tets().count());
-    for (what, method) in methods().filter(|(what, _)| what.contains(wanted)) {
-        let params = Params {
-            method,
-            ..Params::default()
-        };
+    for (what, params) in all_params().filter(|(what, _)| what.contains(wanted)) {
         let start = Instant::now();
         let outcome = refine3(solid.clone(), &params, &mut silent)?;
         let seconds = start.elapsed().as_secs_f64();
@@ -52,7 +48,7 @@ fn refine_all_ways(name: &str, set: Triangles, wanted: &str) -> Result<(), Box<d
             continue;
         };
         println!(
-            "{what:24} {:7} tets {:5} low  r/l {:.2} {:.3} {:.3}  {:6} tested {:5} inserted  {seconds:.3} s",
+            "{what:30} {:7} tets {:5} low  r/l {:.2} {:.3} {:.3}  {:6} tested {:5} inserted ({} on the boundary)  {seconds:.3} s",
             ratios.count,
             outcome.low.len(),
             ratios.min,
@@ -60,25 +56,48 @@ fn refine_all_ways(name: &str, set: Triangles, wanted: &str) -> Result<(), Box<d
             ratios.max,
             outcome.counters.tested,
             outcome.counters.inserted,
+            outcome.counters.split,
         );
     }
     Ok(())
 }
 
-fn methods() -> impl Iterator<Item = (String, Method)> {
-    let mut methods = Vec::new();
+/// Every method with the boundary kept, then some with the boundary split.
+fn all_params() -> impl Iterator<Item = (String, Params)> {
+    let with = |what: &str, method, boundary| {
+        let params = Params {
+            method,
+            boundary,
+            ..Params::default()
+        };
+        (what.to_owned(), params)
+    };
+    let mut all = Vec::new();
     for candidate in [Candidate::Sink, Candidate::Circumcenter] {
         for schedule in [Schedule::Incremental, Schedule::Block, Schedule::Parallel] {
             let method = Method::Paper {
                 candidate,
                 schedule,
             };
-            methods.push((format!("{candidate:?}, {schedule:?}"), method));
+            all.push(with(
+                &format!("{candidate:?}, {schedule:?}"),
+                method,
+                Boundary::Keep,
+            ));
+            if candidate == Candidate::Sink {
+                let what = format!("{candidate:?}, {schedule:?}, split");
+                all.push(with(&what, method, SPLIT));
+            }
         }
     }
     for coarsening in [Coarsening::None, Coarsening::Removal, Coarsening::Merging] {
         let method = Method::Economical(coarsening);
-        methods.push((format!("Economical, {coarsening:?}"), method));
+        let what = format!("Economical, {coarsening:?}");
+        all.push(with(&what, method, Boundary::Keep));
+        all.push(with(&format!("{what}, split"), method, SPLIT));
     }
-    methods.into_iter()
+    all.into_iter()
 }
+
+/// Of a surface that is smooth where it turns by up to 30 degrees.
+const SPLIT: Boundary = Boundary::Split { crease: 30.0 };

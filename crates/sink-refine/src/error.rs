@@ -12,6 +12,12 @@ pub enum RefineError {
         /// As given.
         ratio: f64,
     },
+    /// The angle of [`Boundary::Split`](crate::Boundary::Split) is none.
+    #[error("the crease angle {crease} is not a number of degrees from 0 to 180")]
+    Crease {
+        /// As given.
+        crease: f64,
+    },
     /// The report closure stopped the work before it began.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),

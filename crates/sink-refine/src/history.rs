@@ -7,8 +7,10 @@ pub struct Counters {
     pub tested: usize,
     /// Points that the boundary test rejected (§5.1).
     pub encroaching: usize,
-    /// Points inserted.
+    /// Points inserted, those on the boundary included.
     pub inserted: usize,
+    /// Points inserted on the boundary.
+    pub split: usize,
     /// Vertices removed.
     pub removed: usize,
 }

@@ -20,7 +20,8 @@
 //! # Ok::<(), delaunay_core::BuildError>(())
 //! ```
 //!
-//! [`refine2`] improves the triangles of a region, [`refine3`] the tetrahedra of a solid. The boundary stays as it is.
+//! [`refine2`] improves the triangles of a region, [`refine3`] the tetrahedra of a solid. The boundary stays as it is,
+//! unless [`Boundary::Split`] allows that it is divided.
 //!
 //! ```
 //! use delaunay_core::{BuildOptions, Outline, Subcomplex2, VertexId, progress::silent};
@@ -56,6 +57,7 @@
 //! | what is asked for | [`Params`] |
 //! | what was done | [`Round`], [`Counters`], [`Stop`] |
 
+mod boundary;
 mod error;
 mod history;
 mod params;
@@ -70,7 +72,7 @@ mod worklist;
 
 pub use error::RefineError;
 pub use history::{Counters, Round};
-pub use params::{Candidate, Coarsening, Method, Params, Schedule};
+pub use params::{Boundary, Candidate, Coarsening, Method, Params, Schedule};
 pub use stop::Stop;
 pub use tet::{Low3, Outcome3, Reason3, Separation3, refine3};
 pub use tri::{

@@ -1,5 +1,7 @@
 //! What a refinement is asked for.
 
+use crate::error::RefineError;
+
 /// What a refinement is asked for. [`Params::default`] is the economical method with the ratio 2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Params {
@@ -9,6 +11,8 @@ pub struct Params {
     pub ratio: f64,
     /// How points are chosen.
     pub method: Method,
+    /// What may happen to the boundary.
+    pub boundary: Boundary,
     /// The most vertices that may be added.
     pub max_new_vertices: usize,
 }
@@ -18,9 +22,45 @@ impl Default for Params {
         Self {
             ratio: 2.0,
             method: Method::Economical(Coarsening::Removal),
+            boundary: Boundary::Keep,
             max_new_vertices: usize::MAX,
         }
     }
+}
+
+impl Params {
+    /// Whether they can be met.
+    ///
+    /// # Errors
+    /// The first number that makes no sense.
+    pub(crate) fn check(&self) -> Result<(), RefineError> {
+        let ratio = self.ratio;
+        if !(1.0..f64::INFINITY).contains(&ratio) {
+            return Err(RefineError::Ratio { ratio });
+        }
+        match self.boundary {
+            Boundary::Split { crease } if !(0.0..=180.0).contains(&crease) => {
+                Err(RefineError::Crease { crease })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// What may happen to the boundary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Boundary {
+    /// Nothing: no segment and no triangle of it is touched, as in the paper. What it is in the way of stays of low quality.
+    Keep,
+    /// After the method has done what it can, segments and triangles of the boundary that are in the way are divided.
+    Split {
+        /// The largest angle in degrees, from 0 to 180, by which a smooth boundary turns from one segment or triangle to the next.
+        ///
+        /// New vertices are put on a smooth curve or surface through the vertices given. Where the boundary turns by more it has a
+        /// corner or a crease, which stays. With 0 new vertices are in the middle of segments and in the planes of triangles, up to
+        /// rounding, so the domain stays the same.
+        crease: f64,
+    },
 }
 
 /// How points are chosen.

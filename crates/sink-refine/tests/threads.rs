@@ -7,7 +7,7 @@ use delaunay_core::{Delaunay3, Subcomplex3};
 use glam::DVec3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use sink_refine::{Candidate, Method, Params, Schedule, refine3};
+use sink_refine::{Boundary, Candidate, Method, Params, Schedule, refine3};
 
 #[test]
 fn the_mesh_of_a_solid_does_not_depend_on_the_number_of_threads() {
@@ -22,6 +22,7 @@ fn the_mesh_of_a_solid_does_not_depend_on_the_number_of_threads() {
     let solid = Subcomplex3::of(&Delaunay3::build(&points).unwrap(), |_| true);
     for candidate in [Candidate::Sink, Candidate::Circumcenter] {
         let params = Params {
+            boundary: Boundary::Keep,
             ratio: 1.5,
             method: Method::Paper {
                 candidate,

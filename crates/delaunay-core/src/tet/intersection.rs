@@ -19,26 +19,38 @@ use crate::ids::VertexId;
 use geo_predicates::{Sign, orient2d, orient3d};
 use glam::DVec3;
 
-/// Whether the triangles have a point in common that is on no corner and no edge that they share.
+/// Whether two triangles have a point in common that is on no corner and no edge that they share. Exact.
 ///
-/// Both have area, and different vertices are at different places.
-pub(super) fn intersect(points: &[DVec3], first: [VertexId; 3], second: [VertexId; 3]) -> bool {
-    pierces(points, first, second)
-        || pierces(points, second, first)
-        || folds_over(points, first, second)
+/// `place` tells where a vertex is, an accepted point. Both triangles must have area, and different vertices be at
+/// different places.
+pub fn triangles_intersect(
+    place: impl Fn(VertexId) -> DVec3,
+    first: [VertexId; 3],
+    second: [VertexId; 3],
+) -> bool {
+    pierces(&place, first, second)
+        || pierces(&place, second, first)
+        || folds_over(&place, first, second)
 }
 
 /// Whether an edge of `first` without a corner of `second` meets `second`.
-fn pierces(points: &[DVec3], first: [VertexId; 3], second: [VertexId; 3]) -> bool {
+fn pierces(
+    place: &impl Fn(VertexId) -> DVec3,
+    first: [VertexId; 3],
+    second: [VertexId; 3],
+) -> bool {
     let [a, b, c] = first;
     let free = |edge: &[VertexId; 2]| edge.iter().all(|v| !second.contains(v));
     let mut edges = [[a, b], [b, c], [c, a]].into_iter().filter(free);
-    let place = |v: VertexId| points[v.index()];
     edges.any(|edge| segment_meets(edge.map(place), second.map(place)))
 }
 
 /// Whether the triangles share an edge and lie in one plane on the same side of it.
-fn folds_over(points: &[DVec3], first: [VertexId; 3], second: [VertexId; 3]) -> bool {
+fn folds_over(
+    place: &impl Fn(VertexId) -> DVec3,
+    first: [VertexId; 3],
+    second: [VertexId; 3],
+) -> bool {
     let mut shared = first.into_iter().filter(|v| second.contains(v));
     let (Some(a), Some(b)) = (shared.next(), shared.next()) else {
         return false;
@@ -47,7 +59,7 @@ fn folds_over(points: &[DVec3], first: [VertexId; 3], second: [VertexId; 3]) -> 
     let (Some(c), Some(d)) = (apex(first), apex(second)) else {
         return false;
     };
-    let [a, b, c, d] = [a, b, c, d].map(|v| points[v.index()]);
+    let [a, b, c, d] = [a, b, c, d].map(place);
     orient3d(a, b, c, d) == Sign::Zero
         && View::of_area([a, b, c]).is_some_and(|view| {
             let [a, b, c, d] = [a, b, c, d].map(|p| view.of(p));
@@ -99,8 +111,9 @@ mod tests {
         let points = FLAT.iter().chain(others).copied().map(DVec3::from);
         let points: Vec<DVec3> = points.collect();
         let [first, second] = [[0, 1, 2], corners].map(|corners| corners.map(VertexId::new));
-        let answer = intersect(&points, first, second);
-        assert_eq!(intersect(&points, second, first), answer);
+        let place = |v: VertexId| points[v.index()];
+        let answer = triangles_intersect(place, first, second);
+        assert_eq!(triangles_intersect(place, second, first), answer);
         answer
     }
 
@@ -191,7 +204,9 @@ mod tests {
             for triangle in [first, second] {
                 prop_assume!(View::of_area(triangle.map(|i: usize| points[i])).is_some());
             }
-            let answer = intersect(&points, first.map(VertexId::new), second.map(VertexId::new));
+            let place = |v: VertexId| points[v.index()];
+            let [first, second] = [first, second].map(|corners| corners.map(VertexId::new));
+            let answer = triangles_intersect(place, first, second);
             prop_assert_eq!(answer, !parted([a, b, c], [d, e, f]));
         }
     }

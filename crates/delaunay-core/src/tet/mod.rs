@@ -9,7 +9,7 @@
 //! | one point less, or elsewhere | `remove.rs`, `movement.rs` |
 //! | a closed surface and what it encloses | `surface.rs`, `region.rs`, `sweep.rs`, `intersection.rs`, `projection.rs` |
 //! | tetrahedra made elsewhere | `boundary_of_tets.rs` |
-//! | a part with a fixed boundary | `subcomplex.rs` |
+//! | a part with a boundary of its own | `subcomplex.rs`, `boundary_cavity.rs` |
 //! | weighted points | `regular/` |
 //! | points on a plane | `coplanar.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
@@ -18,6 +18,7 @@
 //! | invariants | `check.rs` |
 
 mod around;
+mod boundary_cavity;
 mod boundary_of_tets;
 mod build;
 mod bulk;
@@ -68,6 +69,7 @@ pub use dual::{Voronoi3, VoronoiEdge3, VoronoiFacet3};
 pub use face::PolyhedronFace;
 pub use flip::{Flip, FlipError};
 pub use half_space::{HalfSpace, HalfSpaceError};
+pub use intersection::triangles_intersect;
 pub use locate::Location3;
 pub use mesh::{FACET_CORNERS, TetMesh};
 pub use moments::Moments;

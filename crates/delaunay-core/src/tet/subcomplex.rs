@@ -169,6 +169,15 @@ impl Subcomplex3 {
         self.mesh.facet_vertices(f).map(|v| self.coords[v.slot()])
     }
 
+    /// By vertex slot.
+    pub(super) fn places(&self) -> &[DVec3] {
+        &self.coords
+    }
+
+    pub(super) fn filter(&self) -> Filter3 {
+        self.filter
+    }
+
     /// Tetrahedra and how they are glued, ghosts included.
     #[must_use]
     pub fn mesh(&self) -> &TetMesh {

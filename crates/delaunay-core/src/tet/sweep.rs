@@ -8,7 +8,7 @@
 //!            │ ->
 //! ```
 
-use super::intersection::intersect;
+use super::intersection::triangles_intersect;
 use super::surface::Surface;
 use crate::ids::VertexId;
 use crate::progress::{Cancelled, Meter};
@@ -53,7 +53,8 @@ pub(super) fn first_intersection(
     meter: &mut Meter<'_>,
 ) -> Result<Option<[usize; 2]>, Cancelled> {
     let (points, triangles) = (surface.points(), surface.triangles());
-    let bounds_of = |corners: &[_; 3]| Bounds::of(corners.map(|v: VertexId| points[v.index()]));
+    let place = |v: VertexId| points[v.index()];
+    let bounds_of = |corners: &[VertexId; 3]| Bounds::of(corners.map(place));
     let bounds: Vec<Bounds> = triangles.iter().map(bounds_of).collect();
     let axis = sweep_axis(Bounds::of(points.iter().copied()), &bounds);
     let mut order: Vec<usize> = (0..triangles.len()).collect();
@@ -65,7 +66,7 @@ pub(super) fn first_intersection(
             open.retain(|&there| bounds[there].high[axis] >= bounds[here].low[axis]);
             open.iter().copied().find(|&there| {
                 bounds[here].meets(bounds[there])
-                    && intersect(points, triangles[here], triangles[there])
+                    && triangles_intersect(place, triangles[here], triangles[there])
             })
         };
         let mut found = find_in(&mut suspects);
@@ -123,10 +124,11 @@ mod tests {
         ) {
             let surface = tetrahedra(&places);
             let (points, triangles) = (surface.points(), surface.triangles());
+            let place = |v: VertexId| points[v.index()];
             let suspect: Vec<bool> = (0..triangles.len()).map(|i| seed >> (i % 64) & 1 == 1).collect();
             let mut pairs = (0..triangles.len()).flat_map(|j| (0..j).map(move |i| [i, j]));
             let wanted = |&[i, j]: &[usize; 2]| {
-                (suspect[i] || suspect[j]) && intersect(points, triangles[i], triangles[j])
+                (suspect[i] || suspect[j]) && triangles_intersect(place, triangles[i], triangles[j])
             };
             let some = pairs.clone().any(|pair| wanted(&pair));
             let mut report = silent;

@@ -35,7 +35,16 @@ pub(super) fn first_crossing(outline: &Outline, suspect: &[bool]) -> Option<[usi
     found
 }
 
-/// Whether two different segments, each with its ends in lexicographic order, have more in common than an end.
+/// Whether two different segments have more in common than an end. Exact.
+///
+/// All ends must be accepted points, and no segment begin where it ends.
+#[must_use]
+pub fn segments_cross(first: [DVec2; 2], second: [DVec2; 2]) -> bool {
+    let in_order = |[a, b]: [DVec2; 2]| if precedes(a, b) { [a, b] } else { [b, a] };
+    cross(in_order(first), in_order(second))
+}
+
+/// [`segments_cross`] with the ends of each in lexicographic order.
 fn cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
     let of_first = [orient2d(a, b, c), orient2d(a, b, d)];
     if of_first == [Sign::Zero; 2] {

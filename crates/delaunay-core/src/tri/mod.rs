@@ -10,11 +10,12 @@
 //! | questions | `nearest.rs`, `hull.rs` |
 //! | the Voronoi diagram | `dual.rs`, `convex.rs`, `carve.rs` |
 //! | closed outlines and what they enclose | `outline.rs`, `region.rs`, `crossing.rs` |
-//! | a part with a fixed boundary | `subcomplex.rs` |
+//! | a part with a boundary of its own | `subcomplex.rs`, `boundary_cavity.rs` |
 //! | weighted points | `regular/` |
 //! | invariants | `check.rs` |
 
 mod around;
+mod boundary_cavity;
 mod build;
 mod bulk;
 mod canonical;
@@ -45,6 +46,7 @@ pub use around::Around;
 pub use cavity::{Cavity, RimEdge};
 pub use check::Violation;
 pub use convex::{ConvexPolygon, PolygonError};
+pub use crossing::segments_cross;
 pub use delaunay::Delaunay2;
 pub use dual::{Voronoi, VoronoiEdge};
 pub use duplicates::Duplicates;

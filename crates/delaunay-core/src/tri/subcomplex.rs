@@ -341,7 +341,7 @@ impl Subcomplex2 {
         refilled
     }
 
-    fn sight(&self, p: DVec2) -> Sight<'_> {
+    pub(super) fn sight(&self, p: DVec2) -> Sight<'_> {
         Sight::new(&self.coords, self.filter, p)
     }
 }

@@ -1,5 +1,6 @@
 //! Refinement of a solid: the driver, and what it answers.
 
+use super::boundary;
 use super::economical;
 use super::low::{Low3, left_over};
 use super::records::Records;
@@ -8,7 +9,7 @@ use super::schedule;
 use super::separation::{Separation3, shortest_edge, vertex_bound};
 use crate::error::RefineError;
 use crate::history::{Counters, Round};
-use crate::params::{Method, Params};
+use crate::params::{Boundary, Candidate, Method, Params, Schedule};
 use crate::stop::Stop;
 use delaunay_core::Subcomplex3;
 use delaunay_core::progress::{Meter, Progress};
@@ -66,21 +67,20 @@ pub fn refine3(
     params: &Params,
     report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Outcome3, RefineError> {
-    let ratio = params.ratio;
-    if !(1.0..f64::INFINITY).contains(&ratio) {
-        return Err(RefineError::Ratio { ratio });
-    }
+    params.check()?;
     let meter = Meter::start(report, "refine", 0)?;
     let given = shortest_edge(&solid);
     let vertex_bound = vertex_bound(&solid, given);
-    let records = Records::of(&solid, ratio);
+    let records = Records::of(&solid, params.ratio);
     let mut refiner = Refiner::new(solid, records, params.max_new_vertices, meter);
     let ended = match params.method {
         Method::Paper {
             candidate,
             schedule,
-        } => schedule::run(&mut refiner, candidate, schedule),
-        Method::Economical(coarsening) => economical::run(&mut refiner, coarsening),
+        } => paper(&mut refiner, candidate, schedule, params.boundary),
+        Method::Economical(coarsening) => {
+            economical::run(&mut refiner, coarsening, params.boundary)
+        }
     };
     refiner.begin_round();
     let low = left_over(&refiner.solid, &refiner.records);
@@ -108,4 +108,17 @@ pub fn refine3(
         low,
         separation,
     })
+}
+
+fn paper(
+    refiner: &mut Refiner<'_>,
+    candidate: Candidate,
+    schedule: Schedule,
+    at: Boundary,
+) -> Result<(), Stop> {
+    schedule::run(refiner, candidate, schedule)?;
+    match at {
+        Boundary::Keep => Ok(()),
+        Boundary::Split { crease } => boundary::run(refiner, crease),
+    }
 }

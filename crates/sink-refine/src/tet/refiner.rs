@@ -95,6 +95,24 @@ impl<'a> Refiner<'a> {
         Ok(vertex)
     }
 
+    /// Inserts a point on the boundary, with the ghosts in its prestar; else as [`insert`](Self::insert) does.
+    ///
+    /// # Errors
+    /// As [`insert`](Self::insert).
+    pub(crate) fn insert_on_boundary(&mut self, proposal: &mut Proposal) -> Result<VertexId, Stop> {
+        self.gone.clear();
+        let vertex = self.fill(proposal)?;
+        self.counters.split += 1;
+        self.records.forget(self.gone.drain(..));
+        let star = proposal.prestar.tets().iter().copied();
+        let real: Vec<TetId> = star
+            .filter(|&t| !self.solid.mesh().is_ghost_tet(t))
+            .collect();
+        self.examine(&real);
+        self.meter.advance()?;
+        Ok(vertex)
+    }
+
     /// Inserts independent points that have passed their tests. What comes of them is measured on all threads.
     ///
     /// # Errors
@@ -159,7 +177,7 @@ impl<'a> Refiner<'a> {
     }
 
     /// Lists all tetrahedra of low quality.
-    fn list_all(&mut self) {
+    pub(crate) fn list_all(&mut self) {
         let all: Vec<TetId> = self.solid.tets().collect();
         self.list(&all);
     }

@@ -13,8 +13,10 @@
 //! | sinks or circumcenters | `candidate.rs` |
 //! | schedules (§4.5) | `schedule/` |
 //! | fewer points | `economical/` |
+//! | dividing the boundary | `boundary/` |
 //! | the driver | `refine.rs`, `refiner.rs` |
 
+mod boundary;
 mod candidate;
 mod economical;
 mod flow;

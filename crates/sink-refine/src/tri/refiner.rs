@@ -103,6 +103,28 @@ impl<'a> Refiner<'a> {
     /// # Errors
     /// Why no more points are inserted; the mesh is as before then, but when cancelled.
     pub(crate) fn insert(&mut self, proposal: &mut Proposal) -> Result<VertexId, Stop> {
+        let vertex = self.fill(proposal)?;
+        self.examine(proposal.prestar.faces());
+        self.meter.advance()?;
+        Ok(vertex)
+    }
+
+    /// Inserts a point on the boundary, with the ghost in its prestar; else as [`insert`](Self::insert) does.
+    ///
+    /// # Errors
+    /// As [`insert`](Self::insert).
+    pub(crate) fn insert_on_boundary(&mut self, proposal: &mut Proposal) -> Result<VertexId, Stop> {
+        let vertex = self.fill(proposal)?;
+        self.counters.split += 1;
+        let mut star = proposal.prestar.faces().to_vec();
+        star.retain(|&f| !self.region.mesh().is_ghost_face(f));
+        self.examine(&star);
+        self.meter.advance()?;
+        Ok(vertex)
+    }
+
+    /// Replaces a prestar by the star of its point, and forgets what is gone.
+    fn fill(&mut self, proposal: &mut Proposal) -> Result<VertexId, Stop> {
         if self.budget == 0 {
             return Err(Stop::OutOfVertices);
         }
@@ -113,8 +135,6 @@ impl<'a> Refiner<'a> {
         self.budget -= 1;
         self.counters.inserted += 1;
         self.records.forget(self.gone.drain(..));
-        self.examine(proposal.prestar.faces());
-        self.meter.advance()?;
         Ok(vertex)
     }
 

@@ -201,6 +201,7 @@ fn refined(
         ratio: 1.0,
         method,
         max_new_vertices,
+        ..Params::default()
     };
     Ok(refine2(region.clone(), &params, &mut silent)?)
 }

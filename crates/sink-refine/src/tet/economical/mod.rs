@@ -2,7 +2,7 @@
 //! then what is left is cured, and vertices that are not needed go.
 //!
 //! The phases run once, in this order. [Greedy insertion](greedy) ends because points keep the minimum separation;
-//! [curing](leftovers) because the number of low tetrahedra falls with each point; [removal] and [merging] because the
+//! [curing](leftovers) because the number of low tetrahedra falls with each point, or dividing the [boundary]; [removal] and [merging] because the
 //! number of vertices does.
 
 mod gain;
@@ -12,18 +12,26 @@ mod merging;
 mod off_center;
 mod removal;
 
+use super::boundary;
 use super::refiner::Refiner;
-use crate::params::Coarsening;
+use crate::params::{Boundary, Coarsening};
 use crate::stop::Stop;
 
 /// Improves the mesh with few points.
 ///
 /// # Errors
 /// Why it ended before all phases were through.
-pub(crate) fn run(refiner: &mut Refiner<'_>, coarsening: Coarsening) -> Result<(), Stop> {
+pub(crate) fn run(
+    refiner: &mut Refiner<'_>,
+    coarsening: Coarsening,
+    at: Boundary,
+) -> Result<(), Stop> {
     let given = refiner.solid.points().len();
     greedy::run(refiner)?;
-    leftovers::run(refiner)?;
+    match at {
+        Boundary::Keep => leftovers::run(refiner)?,
+        Boundary::Split { crease } => boundary::run(refiner, crease)?,
+    }
     if coarsening >= Coarsening::Removal {
         removal::run(refiner, given)?;
     }

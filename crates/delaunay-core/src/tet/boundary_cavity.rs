@@ -1,0 +1,259 @@
+//! The cavity of a point that is to become a vertex of the boundary of a subcomplex.
+//!
+//! ```text
+//!     ghosts         Tetrahedra in conflict with the point, and the ghosts on a disk of boundary
+//!    ___p___         facets round it. The star of the point that takes their place has ghosts on the
+//!   \  / \  /        triangles between the point and the rim of the disk: the new boundary.
+//!    \/   \/
+//! ```
+//!
+//! Where the disk is flat and the point in its plane, the solid stays what it is. Otherwise it gains or loses what lies
+//! between the disk and the new triangles.
+
+use super::cavity::Cavity3;
+use super::mesh::TetMesh;
+use super::sight::Sight3;
+use super::subcomplex::Subcomplex3;
+use crate::ids::{FacetId, TetId, VertexId};
+use geo_predicates::Sign;
+use glam::DVec3;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+impl Subcomplex3 {
+    /// Fills `cavity` with what has to give way when `p` becomes a vertex of the boundary: the tetrahedra in conflict with it,
+    /// and the ghosts on a disk of boundary facets. `p` must be an accepted point.
+    ///
+    /// The disk has the boundary facets `first`, one or two that share an edge, and all that hang together with them across edges by facets of the
+    /// cavity for which `joins` says yes; it is asked for a facet and the edge across which it was met.
+    ///
+    /// The boundary may hide tetrahedra from the point: round a corner, or behind a wall. The cavity shrinks to those that the point sees, so
+    /// that it sees every facet round it, but those of the disk, strictly from inside. Answers whether [`fill`](Self::fill) may follow: `p` is in
+    /// conflict with the tetrahedron of the first facet, that one is seen, and no vertex would be lost. The cavity is of no use otherwise. Whether the new triangles meet others of the boundary is not known here, see [`triangles_intersect`](super::triangles_intersect).
+    /// Exact. Takes time proportional to the size of the cavity, and to its square where it has to shrink.
+    #[must_use]
+    pub fn dig_on(
+        &self,
+        p: DVec3,
+        first: &[FacetId],
+        mut joins: impl FnMut(FacetId, [VertexId; 2]) -> bool,
+        cavity: &mut Cavity3,
+    ) -> bool {
+        let sight = Sight3::new(self.places(), self.filter(), p);
+        let mesh = self.mesh();
+        let conflicts = |t: TetId| {
+            let corners = mesh.tet_vertices(t);
+            !corners[3].is_ghost() && sight.in_real_conflict(corners)
+        };
+        let Some(seed) = first.first().map(|f| f.tet()).filter(|&t| conflicts(t)) else {
+            return false;
+        };
+        cavity.dig(mesh, self.places(), seed, conflicts);
+        let is_unseen = |corners: [VertexId; 3]| {
+            let real = !corners.iter().any(|v| v.is_ghost());
+            real && sight.side(corners) != Sign::Positive
+        };
+        loop {
+            let Some(disk) = disk(mesh, cavity, first, &mut joins) else {
+                return false;
+            };
+            open(mesh, cavity, &disk);
+            let outer = cavity.boundary.iter().copied();
+            let unseen = outer.filter(|&f| is_unseen(mesh.facet_vertices(f)));
+            let hidden: FxHashSet<TetId> = unseen.map(|f| mesh.twin(f).tet()).collect();
+            if hidden.is_empty() {
+                return is_sphere_round_all(mesh, cavity);
+            }
+            if hidden.contains(&seed) {
+                return false;
+            }
+            shrink(mesh, cavity, seed, &hidden);
+        }
+    }
+}
+
+/// Leaves of a cavity the tetrahedra that are not `hidden` and hang together with `seed`.
+fn shrink(mesh: &TetMesh, cavity: &mut Cavity3, seed: TetId, hidden: &FxHashSet<TetId>) {
+    let all = cavity.tets.iter().copied();
+    let open: FxHashSet<TetId> = all
+        .filter(|t| !hidden.contains(t) && !mesh.is_ghost_tet(*t))
+        .collect();
+    cavity.tets.clear();
+    cavity.tets.push(seed);
+    cavity.boundary.clear();
+    let mut next = 0;
+    while let Some(&t) = cavity.tets.get(next) {
+        next += 1;
+        for outer in t.facets().map(|f| mesh.twin(f)) {
+            if !open.contains(&outer.tet()) {
+                cavity.boundary.push(outer);
+            } else if !cavity.tets.contains(&outer.tet()) {
+                cavity.tets.push(outer.tet());
+            }
+        }
+    }
+}
+
+/// The ghosts on the disk; `None` when a facet of `first` does not bound the cavity.
+fn disk(
+    mesh: &TetMesh,
+    cavity: &Cavity3,
+    first: &[FacetId],
+    joins: &mut impl FnMut(FacetId, [VertexId; 2]) -> bool,
+) -> Option<Vec<TetId>> {
+    let outside = cavity.boundary.iter().map(|f| f.tet());
+    let waiting: FxHashSet<TetId> = outside.filter(|&t| mesh.is_ghost_tet(t)).collect();
+    let mut disk: Vec<TetId> = first.iter().map(|&f| mesh.twin(f).tet()).collect();
+    if !disk.iter().all(|ghost| waiting.contains(ghost)) {
+        return None;
+    }
+    let mut next = 0;
+    while let Some(&ghost) = disk.get(next) {
+        next += 1;
+        for side in ghost.facets().into_iter().take(3) {
+            let beyond = mesh.twin(side).tet();
+            if waiting.contains(&beyond) && !disk.contains(&beyond) {
+                let [a, b, c] = mesh.facet_vertices(side);
+                let edge = match [a, b, c].map(VertexId::is_ghost) {
+                    [true, ..] => [b, c],
+                    [_, true, _] => [c, a],
+                    _ => [a, b],
+                };
+                if joins(mesh.twin(beyond.facet(3)), edge) {
+                    disk.push(beyond);
+                }
+            }
+        }
+    }
+    Some(disk)
+}
+
+/// Adds the ghosts of a disk to a cavity that ends at them.
+fn open(mesh: &TetMesh, cavity: &mut Cavity3, disk: &[TetId]) {
+    cavity.boundary.retain(|outer| !disk.contains(&outer.tet()));
+    for ghost in disk {
+        let sides = ghost.facets().into_iter().take(3);
+        let beyond = sides.map(|side| mesh.twin(side));
+        let round = beyond.filter(|outer| !disk.contains(&outer.tet()));
+        cavity.boundary.extend(round);
+    }
+    cavity.tets.extend_from_slice(disk);
+}
+
+/// Whether the facets round the cavity make one sphere, and have all vertices of the cavity on them: then the cone from a point
+/// over that sphere can take its place.
+///
+/// Edges with two facets each make a surface, up to vertices where parts of it touch. When it is connected, Euler's
+/// characteristic is 2 for a sphere only: handles make it less, and so do vertices where it touches itself.
+fn is_sphere_round_all(mesh: &TetMesh, cavity: &Cavity3) -> bool {
+    let mut facets_on: FxHashMap<[VertexId; 2], Vec<usize>> = FxHashMap::default();
+    let mut vertices: FxHashSet<VertexId> = FxHashSet::default();
+    for (index, &outer) in cavity.boundary.iter().enumerate() {
+        let [a, b, c] = mesh.facet_vertices(outer);
+        vertices.extend([a, b, c]);
+        for [u, v] in [[a, b], [b, c], [c, a]] {
+            let edge = [u.min(v), u.max(v)];
+            facets_on.entry(edge).or_default().push(index);
+        }
+    }
+    let corners = cavity.tets.iter().flat_map(|&t| mesh.tet_vertices(t));
+    let keeps_all = corners.into_iter().all(|v| vertices.contains(&v));
+    let is_surface = facets_on.values().all(|facets| facets.len() == 2);
+    let faces = cavity.boundary.len();
+    let is_spherical = vertices.len() + faces == facets_on.len() + 2;
+    keeps_all && is_surface && is_spherical && is_connected(faces, facets_on.values())
+}
+
+/// Whether so many facets hang together by the pairs that share an edge.
+fn is_connected<'a>(faces: usize, pairs: impl Iterator<Item = &'a Vec<usize>>) -> bool {
+    let mut around = vec![Vec::new(); faces];
+    for pair in pairs {
+        if let [f, g] = pair[..] {
+            around[f].push(g);
+            around[g].push(f);
+        }
+    }
+    let mut reached = vec![false; faces];
+    let mut pending = vec![0];
+    let mut count = 0;
+    while let Some(f) = pending.pop() {
+        if !std::mem::replace(&mut reached[f], true) {
+            count += 1;
+            pending.extend_from_slice(&around[f]);
+        }
+    }
+    count == faces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tet::Delaunay3;
+
+    /// A cube and the facets of its bottom.
+    fn cube() -> (Subcomplex3, Vec<FacetId>) {
+        let corner = |i: usize| DVec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
+        let points: Vec<DVec3> = (0..8).map(corner).collect();
+        let cube = Subcomplex3::of(&Delaunay3::build(&points).unwrap(), |_| true);
+        let is_bottom = |f: &FacetId| cube.triangle(*f).iter().all(|p| p.z == 0.0);
+        let bottom = cube.boundary().filter(is_bottom).collect();
+        (cube, bottom)
+    }
+
+    #[test]
+    fn a_point_of_a_flat_side_becomes_a_vertex_of_the_boundary() {
+        let (mut cube, bottom) = cube();
+        let mut cavity = Cavity3::default();
+        let p = DVec3::new(0.5, 0.5, 0.0);
+        let joins = |f: FacetId, _| bottom.contains(&f);
+        assert!(cube.dig_on(p, &bottom[..1], joins, &mut cavity));
+        let v = cube.fill(p, &mut cavity).unwrap();
+        assert_eq!(cube.mesh().check(), Ok(()));
+        let at = |f: &FacetId| cube.mesh().facet_vertices(*f).contains(&v);
+        assert_eq!(cube.boundary().filter(at).count(), 4);
+        assert_eq!(cube.boundary().count(), 14);
+    }
+
+    #[test]
+    fn a_point_of_an_edge_needs_the_facets_on_both_sides() {
+        let (mut cube, bottom) = cube();
+        let mut cavity = Cavity3::default();
+        let p = DVec3::new(0.5, 0.0, 0.0);
+        let on_edge = |f: &FacetId| {
+            let ends = [DVec3::ZERO, DVec3::X];
+            ends.iter().all(|end| cube.triangle(*f).contains(end))
+        };
+        let both: Vec<FacetId> = cube.boundary().filter(on_edge).collect();
+        assert_eq!(both.len(), 2);
+        let one: Vec<FacetId> = both
+            .iter()
+            .copied()
+            .filter(|f| bottom.contains(f))
+            .collect();
+        assert!(!cube.dig_on(p, &one, |_, _| false, &mut cavity));
+        let is_on_a_side = |f: FacetId, _| {
+            let corners = cube.triangle(f);
+            corners.iter().all(|p| p.y == 0.0) || corners.iter().all(|p| p.z == 0.0)
+        };
+        assert!(cube.dig_on(p, &both, is_on_a_side, &mut cavity));
+        cube.fill(p, &mut cavity).unwrap();
+        assert_eq!(cube.mesh().check(), Ok(()));
+        assert_eq!(cube.boundary().count(), 14);
+    }
+
+    #[test]
+    fn no_vertex_is_lost() {
+        let (mut cube, bottom) = cube();
+        let mut cavity = Cavity3::default();
+        let p = DVec3::new(0.5, 0.5, 0.0);
+        let joins = |f: FacetId, _| bottom.contains(&f);
+        assert!(cube.dig_on(p, &bottom[..1], joins, &mut cavity));
+        let v = cube.fill(p, &mut cavity).unwrap();
+        // Pulled out, a point would swallow the vertex in the middle with all facets round it.
+        let round: Vec<FacetId> = cube
+            .boundary()
+            .filter(|&f| cube.mesh().facet_vertices(f).contains(&v))
+            .collect();
+        let out = DVec3::new(0.5, 0.5, -0.01);
+        assert!(!cube.dig_on(out, &round[..1], |f, _| round.contains(&f), &mut cavity));
+    }
+}

@@ -1,0 +1,133 @@
+//! Creases: edges of the boundary at which it turns by more than an angle. Between them it is smooth.
+
+use crate::boundary::{TURN_TOLERANCE, is_acute, shell};
+use delaunay_core::{FacetId, Subcomplex3, TetId, VertexId};
+use glam::DVec3;
+use rustc_hash::FxHashMap;
+
+/// The creases of a boundary, as a graph on its vertices.
+#[derive(Clone, Debug)]
+pub(super) struct Creases {
+    /// By vertex: the other ends of its creases.
+    ends: FxHashMap<VertexId, Vec<VertexId>>,
+    /// The largest angle of a smooth turn, in radians.
+    smooth: f64,
+}
+
+impl Creases {
+    /// The edges at which the boundary of `solid` turns by more than `degrees`, and those with more than two boundary facets.
+    pub(super) fn of(solid: &Subcomplex3, degrees: f64) -> Self {
+        let smooth = degrees.to_radians() + TURN_TOLERANCE;
+        let mut creases = Self {
+            ends: FxHashMap::default(),
+            smooth,
+        };
+        for f in solid.boundary() {
+            for (edge, beyond) in across_edges(solid, f) {
+                if turn(solid, f, beyond) > smooth {
+                    creases.add(edge);
+                }
+            }
+        }
+        creases
+    }
+
+    pub(super) fn contain(&self, [a, b]: [VertexId; 2]) -> bool {
+        self.ends.get(&a).is_some_and(|ends| ends.contains(&b))
+    }
+
+    /// The directed edge `ab` is a crease from now on; it is met from both sides.
+    fn add(&mut self, [a, b]: [VertexId; 2]) {
+        for [from, to] in [[a, b], [b, a]] {
+            let ends = self.ends.entry(from).or_default();
+            if !ends.contains(&to) {
+                ends.push(to);
+            }
+        }
+    }
+
+    /// The crease `ab` has been divided at `middle`.
+    pub(super) fn divide(&mut self, [a, b]: [VertexId; 2], middle: VertexId) {
+        for [from, to] in [[a, b], [b, a]] {
+            if let Some(ends) = self.ends.get_mut(&from) {
+                ends.retain(|end| *end != to);
+            }
+        }
+        self.add([a, middle]);
+        self.add([middle, b]);
+    }
+
+    /// The place that divides a crease.
+    ///
+    /// In the middle; but from a vertex where another crease is near, at a power of two, so that both are divided at the same
+    /// distances and do not make each other be divided again (Ruppert 1995, concentric shells). Where creases go on smoothly not on the
+    /// chord but on the cubic Hermite curve between its ends, with speed |ab| along the tangents there.
+    pub(super) fn middle(&self, solid: &Subcomplex3, [a, b]: [VertexId; 2]) -> DVec3 {
+        let [p, q] = [a, b].map(|v| solid.point(v));
+        let chord = q - p;
+        match [self.is_sharp(solid, [a, b]), self.is_sharp(solid, [b, a])] {
+            [true, false] => return p + chord * shell(chord.length()),
+            [false, true] => return q - chord * shell(chord.length()),
+            _ => {}
+        }
+        let leaving = self
+            .tangent(solid, [b, a])
+            .map_or(chord, |back| -back * chord.length());
+        let arriving = self
+            .tangent(solid, [a, b])
+            .map_or(chord, |on| on * chord.length());
+        p.midpoint(q) + (leaving - arriving) / 8.0
+    }
+
+    /// Whether another crease at `a` makes an acute angle with that to `b`.
+    fn is_sharp(&self, solid: &Subcomplex3, [a, b]: [VertexId; 2]) -> bool {
+        let ends = self.ends.get(&a).into_iter().flatten();
+        let along = |end: VertexId| solid.point(end) - solid.point(a);
+        let mut others = ends.filter(|&&end| end != b);
+        others.any(|&end| is_acute(along(end).angle_between(along(b))))
+    }
+
+    /// The direction in which the crease from `a` to `b` goes on at `b`: that of the chord from `a` to the end of the next one;
+    /// `None` when it does not go on smoothly.
+    fn tangent(&self, solid: &Subcomplex3, [a, b]: [VertexId; 2]) -> Option<DVec3> {
+        let next = match self.ends.get(&b)?[..] {
+            [u, v] if u == a => v,
+            [u, v] if v == a => u,
+            _ => return None,
+        };
+        let [p, q, r] = [a, b, next].map(|v| solid.point(v));
+        let smooth = (q - p).angle_between(r - q) <= self.smooth;
+        smooth
+            .then(|| (q - p).normalize_or_zero() + (r - q).normalize_or_zero())
+            .map(DVec3::normalize_or_zero)
+    }
+}
+
+/// The edges of a boundary facet, each with the boundary facet on the other side, round what is outside.
+pub(super) fn across_edges(
+    solid: &Subcomplex3,
+    f: FacetId,
+) -> impl Iterator<Item = ([VertexId; 2], FacetId)> {
+    let mesh = solid.mesh();
+    let ghost = mesh.twin(f).tet();
+    ghost.facets().into_iter().take(3).map(move |side| {
+        let beyond: TetId = mesh.twin(side).tet();
+        let mut ends = mesh
+            .facet_vertices(side)
+            .into_iter()
+            .filter(|v| !v.is_ghost());
+        let edge = [(); 2].map(|()| ends.next().unwrap_or(VertexId::GHOST));
+        (edge, mesh.twin(beyond.facet(3)))
+    })
+}
+
+/// The angle by which the boundary turns from one facet to the next, in radians.
+fn turn(solid: &Subcomplex3, f: FacetId, g: FacetId) -> f64 {
+    let [n, m] = [f, g].map(|facet| normal(solid.triangle(facet)));
+    n.angle_between(m)
+}
+
+/// Outward, as long as twice the area.
+pub(super) fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
+    (b - a).cross(c - a)
+}

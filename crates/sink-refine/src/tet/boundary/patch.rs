@@ -1,0 +1,98 @@
+//! Where the smooth surface is that the boundary facets stand for.
+//!
+//! Over each facet it is the quadratic patch of Boubekeur and Alexa 2008 (Phong tessellation): a point of the facet is projected
+//! onto the tangent planes at the three corners, and moved toward the mean of the projections. Between facets of one plane that
+//! is the plane.
+
+use super::creases::{Creases, across_edges, normal};
+use delaunay_core::{FacetId, Subcomplex3, VertexId};
+use glam::DVec3;
+
+/// How far points move toward the mean of their projections, as the authors recommend.
+const SHARE: f64 = 0.75;
+
+/// Facets passed on the way to a point, at most.
+const STEPS: usize = 16;
+
+/// What is met on the way from a facet to a point near its plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Way {
+    /// The point is over this facet; its place on the patch, and on the facet.
+    Facet(FacetId, [DVec3; 2]),
+    /// A crease between.
+    Crease([VertexId; 2]),
+    /// Neither, within a number of steps.
+    Lost,
+}
+
+/// The way from facet `f` to the facet of the same smooth part over which `p` is.
+pub(super) fn way_to(solid: &Subcomplex3, creases: &Creases, f: FacetId, p: DVec3) -> Way {
+    let mut here = f;
+    for _ in 0..STEPS {
+        let corners = solid.mesh().facet_vertices(here);
+        let shares = barycentric(solid.triangle(here), p);
+        let least = (0..3)
+            .min_by(|&i, &j| shares[i].total_cmp(&shares[j]))
+            .unwrap_or(0);
+        if shares[least] >= 0.0 {
+            return Way::Facet(here, places(solid, creases, here, shares));
+        }
+        let mut across = across_edges(solid, here);
+        let opposite = across.find(|(edge, _)| !edge.contains(&corners[least]));
+        match opposite {
+            Some((edge, _)) if creases.contain(edge) => return Way::Crease(edge),
+            Some((_, beyond)) => here = beyond,
+            None => return Way::Lost,
+        }
+    }
+    Way::Lost
+}
+
+/// The barycentric coordinates of the projection of `p` onto the plane of a triangle; not numbers when it has no area.
+fn barycentric([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
+    let n = normal([a, b, c]);
+    let part = |from: DVec3, to: DVec3| normal([from, to, p]).dot(n) / n.length_squared();
+    [part(b, c), part(c, a), part(a, b)]
+}
+
+/// Where the point with these barycentric coordinates is on the patch over a facet, and on the facet.
+fn places(solid: &Subcomplex3, creases: &Creases, f: FacetId, shares: [f64; 3]) -> [DVec3; 2] {
+    let corners = solid.triangle(f);
+    let flat: DVec3 = corners
+        .iter()
+        .zip(shares)
+        .map(|(&corner, share)| corner * share)
+        .sum();
+    let vertices = solid.mesh().facet_vertices(f);
+    let projections = (0..3).map(|i| {
+        let n = normal_at(solid, creases, f, vertices[i]);
+        (flat - n * n.dot(flat - corners[i])) * shares[i]
+    });
+    [flat.lerp(projections.sum(), SHARE), flat]
+}
+
+/// The unit normal at a corner of a facet: the mean over the facets round it, as far as there is no crease between, weighted by
+/// their angles there.
+fn normal_at(solid: &Subcomplex3, creases: &Creases, f: FacetId, v: VertexId) -> DVec3 {
+    let mut sheet = vec![f];
+    let mut sum = DVec3::ZERO;
+    let mut next = 0;
+    while let Some(&facet) = sheet.get(next) {
+        next += 1;
+        sum += normal(solid.triangle(facet)).normalize_or_zero() * angle_at(solid, facet, v);
+        for (edge, beyond) in across_edges(solid, facet) {
+            if edge.contains(&v) && !creases.contain(edge) && !sheet.contains(&beyond) {
+                sheet.push(beyond);
+            }
+        }
+    }
+    sum.normalize_or(normal(solid.triangle(f)).normalize_or_zero())
+}
+
+fn angle_at(solid: &Subcomplex3, f: FacetId, v: VertexId) -> f64 {
+    let vertices = solid.mesh().facet_vertices(f);
+    let mut corners = solid.triangle(f);
+    corners.rotate_left(vertices.iter().position(|&u| u == v).unwrap_or(0));
+    let [a, b, c] = corners;
+    (b - a).angle_between(c - a)
+}

@@ -1,0 +1,232 @@
+//! A boundary facet, or a crease, is divided by a vertex put on it.
+//!
+//! A facet is divided at its circumcenter, unless that is inside the diametral sphere of a crease: then the crease is divided
+//! first, in the middle. So corners of the boundary are cut off from the inside out, as in Ruppert's method in the plane.
+
+use super::super::proposal::Proposal;
+use super::super::refiner::Refiner;
+use super::clearance::{Clearance, Pull};
+use super::creases::{Creases, across_edges, normal};
+use super::patch::{Way, way_to};
+use crate::boundary::PARTS;
+use crate::stop::Stop;
+use delaunay_core::geo_predicates::{
+    Sign, check_point3, in_diametral_ball, in_diametral_sphere, orient3d,
+};
+use delaunay_core::measure::facet::circumcenter;
+use delaunay_core::{FacetId, Subcomplex3, TetId, VertexId};
+use glam::DVec3;
+
+/// A point so near to the plane of a facet, in parts of its longest edge, counts as in it.
+const FLAT: f64 = 1e-9;
+
+/// What has to be known of a boundary to divide it.
+#[derive(Debug)]
+pub(super) struct Splitter {
+    creases: Creases,
+    clearance: Clearance,
+    /// By vertex: the length of the shortest boundary edge there, as given; infinite inside.
+    sizes: Vec<f64>,
+    proposal: Proposal,
+    disk: Vec<FacetId>,
+    rim: Vec<[VertexId; 2]>,
+}
+
+impl Splitter {
+    /// For a boundary with creases where it turns by more than so many degrees.
+    pub(super) fn new(solid: &Subcomplex3, crease: f64) -> Self {
+        let mut sizes = vec![f64::INFINITY; solid.points().len()];
+        for f in solid.boundary() {
+            for (edge, _) in across_edges(solid, f) {
+                let [a, b] = edge.map(|v| solid.point(v));
+                for v in edge {
+                    sizes[v.index()] = sizes[v.index()].min(a.distance(b));
+                }
+            }
+        }
+        Self {
+            creases: Creases::of(solid, crease),
+            clearance: Clearance::default(),
+            sizes,
+            proposal: Proposal::default(),
+            disk: Vec::new(),
+            rim: Vec::new(),
+        }
+    }
+
+    /// Divides a boundary facet, or a crease near it; tells whether it did.
+    ///
+    /// # Errors
+    /// Why no more points are inserted.
+    pub(super) fn split_facet(
+        &mut self,
+        refiner: &mut Refiner<'_>,
+        f: FacetId,
+    ) -> Result<bool, Stop> {
+        let center = circumcenter(refiner.solid.triangle(f));
+        match way_to(&refiner.solid, &self.creases, f, center) {
+            Way::Crease(edge) => self.split_crease(refiner, edge),
+            Way::Lost => Ok(false),
+            Way::Facet(over, places) => {
+                for place in places {
+                    if self.split_at(refiner, over, place)? {
+                        return Ok(true);
+                    }
+                }
+                Ok(false)
+            }
+        }
+    }
+
+    /// Divides a boundary facet at a point, or first a crease that the point would be too near to; tells whether it did.
+    fn split_at(
+        &mut self,
+        refiner: &mut Refiner<'_>,
+        f: FacetId,
+        point: DVec3,
+    ) -> Result<bool, Stop> {
+        if !self.propose(&refiner.solid, point, &[f]) {
+            return Ok(false);
+        }
+        for edge in self.encroached(&refiner.solid) {
+            if self.split_crease(refiner, edge)? {
+                return Ok(true);
+            }
+        }
+        Ok(self.propose(&refiner.solid, point, &[f]) && self.insert(refiner)?.is_some())
+    }
+
+    /// Divides a crease; tells whether it did.
+    fn split_crease(
+        &mut self,
+        refiner: &mut Refiner<'_>,
+        edge: [VertexId; 2],
+    ) -> Result<bool, Stop> {
+        let solid = &refiner.solid;
+        let middle = self.creases.middle(solid, edge);
+        let facets = facets_on(solid, edge);
+        if facets.len() != 2 || !self.propose(solid, middle, &facets) {
+            return Ok(false);
+        }
+        let inserted = self.insert(refiner)?;
+        if let Some(vertex) = inserted {
+            self.creases.divide(edge, vertex);
+        }
+        Ok(inserted.is_some())
+    }
+
+    /// Finds what has to give way when a point near the facets `first` becomes a vertex of the boundary; tells whether it may.
+    fn propose(&mut self, solid: &Subcomplex3, point: DVec3, first: &[FacetId]) -> bool {
+        if check_point3(0, point).is_err() {
+            return false;
+        }
+        self.proposal.point = point;
+        let creases = &self.creases;
+        let joins = |f, edge| !creases.contain(edge) && gives_way(solid, f, point);
+        if !solid.dig_on(point, first, joins, &mut self.proposal.prestar) {
+            return false;
+        }
+        self.list_disk(solid);
+        self.keeps_separation(solid)
+            && self.clearance.is_given(
+                solid,
+                Pull {
+                    point,
+                    disk: &self.disk,
+                    rim: &self.rim,
+                },
+            )
+    }
+
+    /// Lists the boundary facets that would give way, and the edges round them.
+    fn list_disk(&mut self, solid: &Subcomplex3) {
+        let mesh = solid.mesh();
+        let tets = self.proposal.prestar.tets().iter();
+        let ghosts = tets.filter(|&&t| mesh.is_ghost_tet(t));
+        self.disk.clear();
+        self.disk
+            .extend(ghosts.map(|ghost| mesh.twin(ghost.facet(3))));
+        self.rim.clear();
+        for &f in &self.disk {
+            let across = across_edges(solid, f);
+            let rim = across.filter(|(_, beyond)| !self.disk.contains(beyond));
+            self.rim.extend(rim.map(|(edge, _)| edge));
+        }
+    }
+
+    /// Whether the point is far enough from all vertices round it.
+    fn keeps_separation(&self, solid: &Subcomplex3) -> bool {
+        let least = self.size() / PARTS;
+        let outer = self.proposal.prestar.boundary().iter();
+        let mut round = outer.flat_map(|&f| solid.mesh().facet_vertices(f));
+        round.all(|v| v.is_ghost() || solid.point(v).distance(self.proposal.point) >= least)
+    }
+
+    /// The least size at a vertex round the disk.
+    fn size(&self) -> f64 {
+        let round = self.rim.iter().flatten().map(|v| self.sizes[v.index()]);
+        round.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The creases round the point whose diametral spheres it is inside.
+    fn encroached(&self, solid: &Subcomplex3) -> Vec<[VertexId; 2]> {
+        let mesh = solid.mesh();
+        let outer = self.proposal.prestar.boundary().iter();
+        let ends_at = outer.filter(|f| mesh.is_ghost_tet(f.tet()) && f.corner() == 3);
+        let facets = ends_at
+            .map(|&f| mesh.twin(f))
+            .chain(self.disk.iter().copied());
+        let edges = facets.flat_map(|f| across_edges(solid, f).map(|(edge, _)| edge));
+        let mut encroached: Vec<[VertexId; 2]> = edges
+            .filter(|&edge| self.creases.contain(edge))
+            .filter(|edge| {
+                let [a, b] = edge.map(|v| solid.point(v));
+                in_diametral_sphere(a, b, self.proposal.point) == Sign::Positive
+            })
+            .map(|[a, b]| [a.min(b), a.max(b)])
+            .collect();
+        encroached.sort_unstable();
+        encroached.dedup();
+        encroached
+    }
+
+    /// Inserts the point proposed.
+    fn insert(&mut self, refiner: &mut Refiner<'_>) -> Result<Option<VertexId>, Stop> {
+        let size = self.size();
+        self.clearance.forget(&refiner.solid, &self.disk);
+        let vertex = refiner.insert_on_boundary(&mut self.proposal)?;
+        let solid = &refiner.solid;
+        self.sizes.resize(solid.points().len(), f64::INFINITY);
+        self.sizes[vertex.index()] = size;
+        let star = self.proposal.prestar.tets().iter();
+        let new = star.filter(|&&t| solid.mesh().is_ghost_tet(t));
+        let new = new.map(|ghost| solid.mesh().twin(ghost.facet(3)));
+        self.clearance.note(solid, new);
+        Ok(Some(vertex))
+    }
+}
+
+/// Whether a boundary facet has to give way to a point: it is inside its diametral sphere, outside the facet, or so near to its
+/// plane that the tetrahedron between the two would be flat.
+fn gives_way(solid: &Subcomplex3, f: FacetId, p: DVec3) -> bool {
+    let [a, b, c] = solid.triangle(f);
+    let n = normal([a, b, c]);
+    let longest = [b - a, c - b, a - c]
+        .map(DVec3::length)
+        .into_iter()
+        .fold(0.0, f64::max);
+    let height = n.normalize_or_zero().dot(p - a).abs();
+    in_diametral_ball(a, b, c, p) != Sign::Negative
+        || orient3d(a, b, c, p) != Sign::Negative
+        || height <= FLAT * longest
+}
+
+/// The boundary facets on an edge, in order round it.
+fn facets_on(solid: &Subcomplex3, [a, b]: [VertexId; 2]) -> Vec<FacetId> {
+    let mesh = solid.mesh();
+    let Some(t) = mesh.find_edge(a, b) else {
+        return Vec::new();
+    };
+    let ghosts = mesh.ring(t, a, b).filter(|&t: &TetId| mesh.is_ghost_tet(t));
+    ghosts.map(|ghost| mesh.twin(ghost.facet(3))).collect()
+}

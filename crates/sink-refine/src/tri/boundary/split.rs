@@ -1,0 +1,84 @@
+//! A boundary edge is divided by a vertex put on it.
+
+use super::super::proposal::Proposal;
+use super::super::refiner::Refiner;
+use super::clearance::Clearance;
+use super::curve::divide;
+use crate::boundary::PARTS;
+use crate::stop::Stop;
+use delaunay_core::geo_predicates::check_point2;
+use delaunay_core::{HalfEdgeId, Subcomplex2};
+use glam::DVec2;
+
+/// What has to be known of a boundary to divide it.
+#[derive(Debug)]
+pub(super) struct Splitter {
+    /// The largest angle of a smooth turn, in radians.
+    smooth: f64,
+    clearance: Clearance,
+    /// By vertex: the length of the shortest boundary edge there, as given; infinite inside.
+    sizes: Vec<f64>,
+    proposal: Proposal,
+}
+
+impl Splitter {
+    /// For a boundary with corners where it turns by more than so many degrees.
+    pub(super) fn new(region: &Subcomplex2, crease: f64) -> Self {
+        let mut sizes = vec![f64::INFINITY; region.points().len()];
+        for h in region.boundary() {
+            let [a, b] = region.segment(h);
+            for v in [region.mesh().origin(h), region.mesh().target(h)] {
+                sizes[v.index()] = sizes[v.index()].min(a.distance(b));
+            }
+        }
+        Self {
+            smooth: crease.to_radians(),
+            clearance: Clearance::default(),
+            sizes,
+            proposal: Proposal::default(),
+        }
+    }
+
+    /// Divides a boundary edge; tells whether it did.
+    ///
+    /// # Errors
+    /// Why no more points are inserted.
+    pub(super) fn split(&mut self, refiner: &mut Refiner<'_>, h: HalfEdgeId) -> Result<bool, Stop> {
+        let region = &refiner.region;
+        let ends = region.segment(h);
+        let point = divide(region, h, self.smooth);
+        if !self.propose(region, h, point) {
+            return Ok(false);
+        }
+        let size = self.size(region, h);
+        let vertex = refiner.insert_on_boundary(&mut self.proposal)?;
+        self.sizes
+            .resize(refiner.region.points().len(), f64::INFINITY);
+        self.sizes[vertex.index()] = size;
+        self.clearance.note(ends, refiner.region.point(vertex));
+        Ok(true)
+    }
+
+    /// Finds what has to give way when a point becomes a vertex on a boundary edge; tells whether it may.
+    fn propose(&mut self, region: &Subcomplex2, h: HalfEdgeId, point: DVec2) -> bool {
+        self.proposal.point = point;
+        check_point2(0, point).is_ok()
+            && region.dig_on(point, h, &mut self.proposal.prestar)
+            && self.keeps_separation(region, h)
+            && self.clearance.is_given(region, h, point)
+    }
+
+    /// Whether the point is far enough from all vertices round it.
+    fn keeps_separation(&self, region: &Subcomplex2, h: HalfEdgeId) -> bool {
+        let least = self.size(region, h) / PARTS;
+        let mut round = self.proposal.prestar.vertices();
+        round.all(|v| v.is_ghost() || region.point(v).distance(self.proposal.point) >= least)
+    }
+
+    /// The lesser of the sizes at the ends of a boundary edge.
+    fn size(&self, region: &Subcomplex2, h: HalfEdgeId) -> f64 {
+        let ends = [region.mesh().origin(h), region.mesh().target(h)];
+        let [a, b] = ends.map(|v| self.sizes[v.index()]);
+        a.min(b)
+    }
+}
