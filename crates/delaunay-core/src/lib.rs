@@ -71,8 +71,8 @@ pub use ids::{FaceId, FacetId, HalfEdgeId, TetId, VertexId};
 pub use options::BuildOptions;
 pub use tet::{
     Cavity3, CellCarver, Clipper, ConvexPolyhedron, Delaunay3, FACET_CORNERS, Flip, FlipError,
-    HalfSpace, HalfSpaceError, Location3, Moments, Patch, PolyhedronError, PolyhedronFace, Ring,
-    Side, Star, Subcomplex3, TetMesh, Violation3, Voronoi3, VoronoiEdge3, VoronoiFacet3,
+    HalfSpace, HalfSpaceError, Location3, Met, Moments, Patch, PolyhedronError, PolyhedronFace,
+    Ring, Side, Star, Subcomplex3, TetMesh, Violation3, Voronoi3, VoronoiEdge3, VoronoiFacet3,
 };
 pub use tet::{Regular3, RegularViolation3};
 pub use tet::{

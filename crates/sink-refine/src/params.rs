@@ -1,5 +1,6 @@
 //! What a refinement is asked for.
 
+use crate::boundary::PARTS;
 use crate::error::RefineError;
 
 /// What a refinement is asked for. [`Params::default`] is the economical method with the ratio 2.
@@ -53,6 +54,9 @@ pub enum Boundary {
     /// Nothing: no segment and no triangle of it is touched, as in the paper. What it is in the way of stays of low quality.
     Keep,
     /// After the method has done what it can, segments and triangles of the boundary that are in the way are divided.
+    ///
+    /// Then nothing of low quality is left, unless parts of the boundary meet at small angles or come very near to each other: no vertex
+    /// is put nearer to others than an eighth of the shortest boundary edge given there.
     Split {
         /// The largest angle in degrees, from 0 to 180, by which a smooth boundary turns from one segment or triangle to the next.
         ///
@@ -106,4 +110,14 @@ pub enum Coarsening {
     Removal,
     /// Two at a time also become one: some tenth fewer elements for several times the time.
     Merging,
+}
+
+impl Boundary {
+    /// How near the vertices of a refined mesh may be to each other when the shortest edge given has the length `given`.
+    pub(crate) fn least_separation(self, given: f64) -> f64 {
+        match self {
+            Self::Keep => given,
+            Self::Split { .. } => given / PARTS,
+        }
+    }
 }

@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+mod data_sets;
+
+use data_sets::usa;
 use delaunay_core::measure::Summary;
 use delaunay_core::measure::triangle::radius_edge_ratio;
 use delaunay_core::progress::{Progress, silent};
@@ -46,18 +49,6 @@ fn refine(region: &Subcomplex2, method: Method) -> Outcome2 {
 fn boundary(region: &Subcomplex2) -> BTreeSet<[VertexId; 2]> {
     let ends = |h: HalfEdgeId| [region.mesh().origin(h), region.mesh().target(h)];
     region.boundary().map(ends).collect()
-}
-
-fn usa() -> Subcomplex2 {
-    let usa = fixtures::outlines::usa();
-    let points = usa.points.iter().copied().map(DVec2::from).collect();
-    let segments = usa.segments.iter();
-    let segments = segments.map(|ends| ends.map(|v| VertexId::new(v as usize)));
-    let outline = Outline::new(points, segments.collect()).unwrap();
-    let region = outline
-        .region(BuildOptions::default(), &mut silent)
-        .unwrap();
-    Subcomplex2::of(region.delaunay(), |f| region.is_inside(f))
 }
 
 /// The hull of a few points, or the stable part of it, with an edge of a thousandth of the width at least.

@@ -3,20 +3,16 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod data_sets;
+
+use data_sets::solid;
 use delaunay_core::measure::Summary;
 use delaunay_core::measure::tetrahedron::{radius_edge_ratio, signed_volume};
 use delaunay_core::progress::silent;
-use delaunay_core::{BuildOptions, Subcomplex3, Surface, TetId, VertexId};
-use fixtures::surfaces::{self, Triangles};
+use delaunay_core::{Subcomplex3, TetId, VertexId};
+use fixtures::surfaces;
 use sink_refine::{Candidate, Coarsening, Method, Outcome3, Params, Schedule, refine3};
 use std::collections::BTreeSet;
-
-fn solid(set: Triangles) -> Subcomplex3 {
-    let triangles = set.triangles.iter().map(|t| t.map(VertexId::new));
-    let surface = Surface::new(set.points, triangles.collect()).unwrap();
-    let solid = surface.solid(BuildOptions::default(), &mut silent).unwrap();
-    Subcomplex3::of(solid.delaunay(), |t| solid.is_inside(t))
-}
 
 fn paper(candidate: Candidate, schedule: Schedule) -> Method {
     Method::Paper {
@@ -171,7 +167,7 @@ fn the_budget_of_vertices_is_kept_and_cancelling_leaves_a_valid_mesh() {
         method: paper(Candidate::Sink, Schedule::Incremental),
         ..Params::default()
     };
-    let star = self::solid(surfaces::star());
+    let star = data_sets::solid(surfaces::star());
     let mut reports = 0;
     let outcome = refine3(star.clone(), &params, &mut |_| {
         reports += 1;

@@ -7,6 +7,9 @@
 //!    \/   \/
 //! ```
 //!
+//! A boundary facet of the disk whose tetrahedron is not in conflict with a point outside keeps it, and gets another one on top, as a
+//! facet of the convex hull does.
+//!
 //! Where the disk is flat and the point in its plane, the solid stays what it is. Otherwise it gains or loses what lies
 //! between the disk and the new triangles.
 
@@ -19,23 +22,37 @@ use geo_predicates::Sign;
 use glam::DVec3;
 use rustc_hash::{FxHashMap, FxHashSet};
 
+/// A boundary facet met on the way from facet to facet.
+#[derive(Clone, Copy, Debug)]
+pub struct Met {
+    /// The facet.
+    pub facet: FacetId,
+    /// The edge across which it was met; `None` of the facets given.
+    pub across: Option<[VertexId; 2]>,
+    /// Whether the tetrahedron inside gives way too. If not, the point is strictly outside the facet, and there will be a
+    /// tetrahedron between the two.
+    pub opens: bool,
+}
+
 impl Subcomplex3 {
     /// Fills `cavity` with what has to give way when `p` becomes a vertex of the boundary: the tetrahedra in conflict with it,
     /// and the ghosts on a disk of boundary facets. `p` must be an accepted point.
     ///
-    /// The disk has the boundary facets `first`, one or two that share an edge, and all that hang together with them across edges by facets of the
-    /// cavity for which `joins` says yes; it is asked for a facet and the edge across which it was met.
+    /// The disk has the boundary facets `first`, one or two that share an edge, and those that hang together with them, as far as `joins`
+    /// says yes of them; of `first` it must say so too. The tetrahedra are those that hang together with that of the first facet.
     ///
-    /// The boundary may hide tetrahedra from the point: round a corner, or behind a wall. The cavity shrinks to those that the point sees, so
-    /// that it sees every facet round it, but those of the disk, strictly from inside. Answers whether [`fill`](Self::fill) may follow: `p` is in
-    /// conflict with the tetrahedron of the first facet, that one is seen, and no vertex would be lost. The cavity is of no use otherwise. Whether the new triangles meet others of the boundary is not known here, see [`triangles_intersect`](super::triangles_intersect).
-    /// Exact. Takes time proportional to the size of the cavity, and to its square where it has to shrink.
+    /// The boundary may hide tetrahedra from the point: round a corner, or behind a wall. The cavity shrinks to those that
+    /// the point sees, so that it sees every facet round it strictly from inside. Answers whether [`fill`](Self::fill) may
+    /// follow: there is such a cavity, and no vertex would be lost. The cavity is of no use otherwise. Whether
+    /// the new triangles meet others of the boundary is not known here, see
+    /// [`triangles_intersect`](super::triangles_intersect). Exact. Takes time proportional to the size of the cavity, and to its
+    /// square where it has to shrink.
     #[must_use]
     pub fn dig_on(
         &self,
         p: DVec3,
         first: &[FacetId],
-        mut joins: impl FnMut(FacetId, [VertexId; 2]) -> bool,
+        mut joins: impl FnMut(Met) -> bool,
         cavity: &mut Cavity3,
     ) -> bool {
         let sight = Sight3::new(self.places(), self.filter(), p);
@@ -44,21 +61,26 @@ impl Subcomplex3 {
             let corners = mesh.tet_vertices(t);
             !corners[3].is_ghost() && sight.in_real_conflict(corners)
         };
-        let Some(seed) = first.first().map(|f| f.tet()).filter(|&t| conflicts(t)) else {
-            return false;
-        };
-        cavity.dig(mesh, self.places(), seed, conflicts);
-        let is_unseen = |corners: [VertexId; 3]| {
+        let is_unseen = |f: FacetId| {
+            let corners = mesh.facet_vertices(f);
             let real = !corners.iter().any(|v| v.is_ghost());
             real && sight.side(corners) != Sign::Positive
         };
+        let Some(seed) = first.first().map(|f| f.tet()) else {
+            return false;
+        };
+        cavity.assign(&[], &[]);
+        if conflicts(seed) {
+            cavity.dig(mesh, self.places(), seed, conflicts);
+        }
         loop {
-            let Some(disk) = disk(mesh, cavity, first, &mut joins) else {
+            let joins = |met: Met| (met.opens || !is_unseen(met.facet)) && joins(met);
+            let Some(disk) = disk(mesh, cavity, first, joins) else {
                 return false;
             };
             open(mesh, cavity, &disk);
             let outer = cavity.boundary.iter().copied();
-            let unseen = outer.filter(|&f| is_unseen(mesh.facet_vertices(f)));
+            let unseen = outer.filter(|&f| is_unseen(f));
             let hidden: FxHashSet<TetId> = unseen.map(|f| mesh.twin(f).tet()).collect();
             if hidden.is_empty() {
                 return is_sphere_round_all(mesh, cavity);
@@ -71,6 +93,61 @@ impl Subcomplex3 {
     }
 }
 
+/// The ghosts on the disk; `None` when not all of `first` join it.
+fn disk(
+    mesh: &TetMesh,
+    cavity: &Cavity3,
+    first: &[FacetId],
+    mut joins: impl FnMut(Met) -> bool,
+) -> Option<Vec<TetId>> {
+    let outside: FxHashSet<TetId> = cavity.boundary.iter().map(|f| f.tet()).collect();
+    let mut joins = |ghost: TetId, across| {
+        joins(Met {
+            facet: mesh.twin(ghost.facet(3)),
+            across,
+            opens: outside.contains(&ghost),
+        })
+    };
+    let mut disk: Vec<TetId> = first.iter().map(|&f| mesh.twin(f).tet()).collect();
+    if !disk.iter().all(|&ghost| joins(ghost, None)) {
+        return None;
+    }
+    let mut next = 0;
+    while let Some(&ghost) = disk.get(next) {
+        next += 1;
+        for side in ghost.facets().into_iter().take(3) {
+            let beyond = mesh.twin(side).tet();
+            let [a, b, c] = mesh.facet_vertices(side);
+            let edge = match [a, b, c].map(VertexId::is_ghost) {
+                [true, ..] => [b, c],
+                [_, true, _] => [c, a],
+                _ => [a, b],
+            };
+            if !disk.contains(&beyond) && joins(beyond, Some(edge)) {
+                disk.push(beyond);
+            }
+        }
+    }
+    Some(disk)
+}
+
+/// Adds the ghosts of a disk to a cavity that ends at them.
+fn open(mesh: &TetMesh, cavity: &mut Cavity3, disk: &[TetId]) {
+    let opened: FxHashSet<TetId> = cavity.boundary.iter().map(|f| f.tet()).collect();
+    cavity.boundary.retain(|outer| !disk.contains(&outer.tet()));
+    for ghost in disk {
+        let [sides @ .., base] = ghost.facets().map(|side| mesh.twin(side));
+        let round = sides
+            .into_iter()
+            .filter(|outer| !disk.contains(&outer.tet()));
+        cavity.boundary.extend(round);
+        if !opened.contains(ghost) {
+            cavity.boundary.push(base);
+        }
+    }
+    cavity.tets.extend_from_slice(disk);
+}
+
 /// Leaves of a cavity the tetrahedra that are not `hidden` and hang together with `seed`.
 fn shrink(mesh: &TetMesh, cavity: &mut Cavity3, seed: TetId, hidden: &FxHashSet<TetId>) {
     let all = cavity.tets.iter().copied();
@@ -78,8 +155,8 @@ fn shrink(mesh: &TetMesh, cavity: &mut Cavity3, seed: TetId, hidden: &FxHashSet<
         .filter(|t| !hidden.contains(t) && !mesh.is_ghost_tet(*t))
         .collect();
     cavity.tets.clear();
-    cavity.tets.push(seed);
     cavity.boundary.clear();
+    cavity.tets.extend(open.get(&seed));
     let mut next = 0;
     while let Some(&t) = cavity.tets.get(next) {
         next += 1;
@@ -93,70 +170,36 @@ fn shrink(mesh: &TetMesh, cavity: &mut Cavity3, seed: TetId, hidden: &FxHashSet<
     }
 }
 
-/// The ghosts on the disk; `None` when a facet of `first` does not bound the cavity.
-fn disk(
-    mesh: &TetMesh,
-    cavity: &Cavity3,
-    first: &[FacetId],
-    joins: &mut impl FnMut(FacetId, [VertexId; 2]) -> bool,
-) -> Option<Vec<TetId>> {
-    let outside = cavity.boundary.iter().map(|f| f.tet());
-    let waiting: FxHashSet<TetId> = outside.filter(|&t| mesh.is_ghost_tet(t)).collect();
-    let mut disk: Vec<TetId> = first.iter().map(|&f| mesh.twin(f).tet()).collect();
-    if !disk.iter().all(|ghost| waiting.contains(ghost)) {
-        return None;
-    }
-    let mut next = 0;
-    while let Some(&ghost) = disk.get(next) {
-        next += 1;
-        for side in ghost.facets().into_iter().take(3) {
-            let beyond = mesh.twin(side).tet();
-            if waiting.contains(&beyond) && !disk.contains(&beyond) {
-                let [a, b, c] = mesh.facet_vertices(side);
-                let edge = match [a, b, c].map(VertexId::is_ghost) {
-                    [true, ..] => [b, c],
-                    [_, true, _] => [c, a],
-                    _ => [a, b],
-                };
-                if joins(mesh.twin(beyond.facet(3)), edge) {
-                    disk.push(beyond);
-                }
-            }
-        }
-    }
-    Some(disk)
-}
-
-/// Adds the ghosts of a disk to a cavity that ends at them.
-fn open(mesh: &TetMesh, cavity: &mut Cavity3, disk: &[TetId]) {
-    cavity.boundary.retain(|outer| !disk.contains(&outer.tet()));
-    for ghost in disk {
-        let sides = ghost.facets().into_iter().take(3);
-        let beyond = sides.map(|side| mesh.twin(side));
-        let round = beyond.filter(|outer| !disk.contains(&outer.tet()));
-        cavity.boundary.extend(round);
-    }
-    cavity.tets.extend_from_slice(disk);
-}
-
-/// Whether the facets round the cavity make one sphere, and have all vertices of the cavity on them: then the cone from a point
-/// over that sphere can take its place.
+/// Whether the facets round the cavity make one sphere, and have all vertices of the cavity on them, those of the boundary with a ghost:
+/// then the cone from a point over that sphere can take its place, and no vertex is lost or leaves the boundary.
 ///
 /// Edges with two facets each make a surface, up to vertices where parts of it touch. When it is connected, Euler's
 /// characteristic is 2 for a sphere only: handles make it less, and so do vertices where it touches itself.
 fn is_sphere_round_all(mesh: &TetMesh, cavity: &Cavity3) -> bool {
     let mut facets_on: FxHashMap<[VertexId; 2], Vec<usize>> = FxHashMap::default();
     let mut vertices: FxHashSet<VertexId> = FxHashSet::default();
+    let mut on_rim: FxHashSet<VertexId> = FxHashSet::default();
     for (index, &outer) in cavity.boundary.iter().enumerate() {
         let [a, b, c] = mesh.facet_vertices(outer);
         vertices.extend([a, b, c]);
+        if [a, b, c].iter().any(|v| v.is_ghost()) {
+            on_rim.extend([a, b, c]);
+        }
         for [u, v] in [[a, b], [b, c], [c, a]] {
             let edge = [u.min(v), u.max(v)];
             facets_on.entry(edge).or_default().push(index);
         }
     }
-    let corners = cavity.tets.iter().flat_map(|&t| mesh.tet_vertices(t));
-    let keeps_all = corners.into_iter().all(|v| vertices.contains(&v));
+    let keeps = |t: TetId| {
+        let corners = mesh.tet_vertices(t);
+        let rim = if mesh.is_ghost_tet(t) {
+            &on_rim
+        } else {
+            &vertices
+        };
+        corners.iter().all(|v| rim.contains(v))
+    };
+    let keeps_all = cavity.tets.iter().all(|&t| keeps(t));
     let is_surface = facets_on.values().all(|facets| facets.len() == 2);
     let faces = cavity.boundary.len();
     let is_spherical = vertices.len() + faces == facets_on.len() + 2;
@@ -204,7 +247,7 @@ mod tests {
         let (mut cube, bottom) = cube();
         let mut cavity = Cavity3::default();
         let p = DVec3::new(0.5, 0.5, 0.0);
-        let joins = |f: FacetId, _| bottom.contains(&f);
+        let joins = |met: Met| bottom.contains(&met.facet);
         assert!(cube.dig_on(p, &bottom[..1], joins, &mut cavity));
         let v = cube.fill(p, &mut cavity).unwrap();
         assert_eq!(cube.mesh().check(), Ok(()));
@@ -229,9 +272,9 @@ mod tests {
             .copied()
             .filter(|f| bottom.contains(f))
             .collect();
-        assert!(!cube.dig_on(p, &one, |_, _| false, &mut cavity));
-        let is_on_a_side = |f: FacetId, _| {
-            let corners = cube.triangle(f);
+        assert!(!cube.dig_on(p, &one, |met| one.contains(&met.facet), &mut cavity));
+        let is_on_a_side = |met: Met| {
+            let corners = cube.triangle(met.facet);
             corners.iter().all(|p| p.y == 0.0) || corners.iter().all(|p| p.z == 0.0)
         };
         assert!(cube.dig_on(p, &both, is_on_a_side, &mut cavity));
@@ -241,11 +284,26 @@ mod tests {
     }
 
     #[test]
+    fn a_point_outside_the_circumsphere_comes_on_top() {
+        let (mut cube, bottom) = cube();
+        let mut cavity = Cavity3::default();
+        let p = DVec3::new(0.5, 0.5, -1.0);
+        let tets = cube.tets().count();
+        assert!(!cube.dig_on(p, &bottom[..1], |met| met.opens, &mut cavity));
+        let joins = |met: Met| !met.opens && bottom.contains(&met.facet);
+        assert!(cube.dig_on(p, &bottom[..1], joins, &mut cavity));
+        cube.fill(p, &mut cavity).unwrap();
+        assert_eq!(cube.mesh().check(), Ok(()));
+        assert_eq!(cube.boundary().count(), 14);
+        assert_eq!(cube.tets().count(), tets + 2);
+    }
+
+    #[test]
     fn no_vertex_is_lost() {
         let (mut cube, bottom) = cube();
         let mut cavity = Cavity3::default();
         let p = DVec3::new(0.5, 0.5, 0.0);
-        let joins = |f: FacetId, _| bottom.contains(&f);
+        let joins = |met: Met| bottom.contains(&met.facet);
         assert!(cube.dig_on(p, &bottom[..1], joins, &mut cavity));
         let v = cube.fill(p, &mut cavity).unwrap();
         // Pulled out, a point would swallow the vertex in the middle with all facets round it.
@@ -254,6 +312,11 @@ mod tests {
             .filter(|&f| cube.mesh().facet_vertices(f).contains(&v))
             .collect();
         let out = DVec3::new(0.5, 0.5, -0.01);
-        assert!(!cube.dig_on(out, &round[..1], |f, _| round.contains(&f), &mut cavity));
+        assert!(!cube.dig_on(
+            out,
+            &round[..1],
+            |met| round.contains(&met.facet),
+            &mut cavity
+        ));
     }
 }

@@ -60,6 +60,7 @@ mod sweep;
 mod table;
 
 pub use around::{Ring, Star};
+pub use boundary_cavity::Met;
 pub use boundary_of_tets::{TetBoundary, TetsError};
 pub use carve::CellCarver;
 pub use cavity::Cavity3;

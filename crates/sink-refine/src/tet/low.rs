@@ -24,7 +24,8 @@ pub enum Reason3 {
     /// A facet of it is on the boundary, and the ratio of that triangle alone is too large: no tetrahedron on it has a
     /// smaller one.
     BoundaryTriangle(FacetId),
-    /// Its sinks and its circumcenter are inside diametral spheres of boundary facets, this one among them.
+    /// Its sinks and its circumcenter are inside diametral spheres of boundary facets, this one among them. When
+    /// they might be divided: these have been as far as they may be.
     Encroaches(FacetId),
     /// Its flow leaves through the boundary, and its circumcenter is outside.
     Outside,

@@ -23,7 +23,8 @@ pub enum Reason2 {
     /// At this corner it fills the whole angle between two boundary edges, and that angle is too small: no triangle there
     /// has a smaller ratio.
     BoundaryAngle(VertexId),
-    /// Its sink and its circumcenter are inside diametral circles of boundary edges, this one among them.
+    /// Its sink and its circumcenter are inside diametral circles of boundary edges, this one among them. When
+    /// they might be divided: these have been as far as they may be.
     Encroaches(HalfEdgeId),
     /// Its flow leaves through the boundary, and its circumcenter is outside.
     Outside,

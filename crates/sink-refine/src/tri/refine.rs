@@ -18,7 +18,7 @@ use std::ops::ControlFlow;
 /// A refined region, and how it came about.
 #[derive(Clone, Debug)]
 pub struct Outcome2 {
-    /// The mesh. Its boundary is the one given.
+    /// The mesh. Its boundary is the one given, divided where that was allowed. Vertices given keep their ids and places.
     pub region: Subcomplex2,
     /// Why no more points were inserted.
     pub stop: Stop,
@@ -33,7 +33,8 @@ pub struct Outcome2 {
     pub separation: Separation2,
 }
 
-/// Improves the triangles of `region` by inserting points. The boundary stays as it is.
+/// Improves the triangles of `region` by inserting points. The boundary stays as it is, unless
+/// [`Boundary::Split`] is asked for.
 ///
 /// The same input gives the same mesh, bit for bit, for any number of threads; the parallel schedule uses those of the
 /// current rayon pool. Inserted vertices have ids from the number of given points on. Every point of the paper's method
@@ -41,7 +42,8 @@ pub struct Outcome2 {
 /// reason to stop, the mesh is valid.
 ///
 /// # Errors
-/// [`RefineError::Ratio`] when the ratio is below 1 or no number; [`RefineError::Cancelled`] when `report` stops the work
+/// [`RefineError::Ratio`] when the ratio is below 1 or no number, [`RefineError::Crease`] when the crease angle is none;
+/// [`RefineError::Cancelled`] when `report` stops the work
 /// before it has begun. Later it ends with [`Stop::Cancelled`].
 ///
 /// ```
@@ -67,7 +69,7 @@ pub fn refine2(
     params.check()?;
     let meter = Meter::start(report, "refine", 0)?;
     let given = shortest_edge(&region);
-    let vertex_bound = vertex_bound(&region, given);
+    let vertex_bound = vertex_bound(&region, params.boundary.least_separation(given));
     let records = Records::of(&region, params.ratio);
     let mut refiner = Refiner::new(region, records, params.max_new_vertices, meter);
     let ended = match params.method {

@@ -7,7 +7,8 @@ use std::f64::consts::PI;
 /// How near vertices are to each other, and how many there can be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Separation2 {
-    /// Length of the shortest edge before: δ. The paper's method never makes a shorter one.
+    /// Length of the shortest edge before. With the boundary kept this is δ: the paper's method never makes a shorter one. Where the
+    /// boundary may be divided δ is an eighth of it.
     pub given: f64,
     /// Length of the shortest edge after.
     pub reached: f64,

@@ -87,7 +87,7 @@ impl Creases {
         others.any(|&end| is_acute(along(end).angle_between(along(b))))
     }
 
-    /// The direction in which the crease from `a` to `b` goes on at `b`: that of the chord from `a` to the end of the next one;
+    /// The unit tangent at `b` of the curve that the crease from `a` to `b` is part of: that of the circle through three vertices;
     /// `None` when it does not go on smoothly.
     fn tangent(&self, solid: &Subcomplex3, [a, b]: [VertexId; 2]) -> Option<DVec3> {
         let next = match self.ends.get(&b)?[..] {
@@ -96,10 +96,12 @@ impl Creases {
             _ => return None,
         };
         let [p, q, r] = [a, b, next].map(|v| solid.point(v));
-        let smooth = (q - p).angle_between(r - q) <= self.smooth;
-        smooth
-            .then(|| (q - p).normalize_or_zero() + (r - q).normalize_or_zero())
-            .map(DVec3::normalize_or_zero)
+        let [before, after] = [q - p, r - q];
+        let is_smooth = before.angle_between(after) <= self.smooth;
+        // Chords turn from the tangent in proportion to their lengths.
+        let mean = before.normalize_or_zero() * after.length()
+            + after.normalize_or_zero() * before.length();
+        is_smooth.then(|| mean.normalize_or_zero())
     }
 }
 

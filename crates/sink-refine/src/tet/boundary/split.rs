@@ -14,7 +14,7 @@ use delaunay_core::geo_predicates::{
     Sign, check_point3, in_diametral_ball, in_diametral_sphere, orient3d,
 };
 use delaunay_core::measure::facet::circumcenter;
-use delaunay_core::{FacetId, Subcomplex3, TetId, VertexId};
+use delaunay_core::{FacetId, Met, Subcomplex3, TetId, VertexId};
 use glam::DVec3;
 
 /// A point so near to the plane of a facet, in parts of its longest edge, counts as in it.
@@ -122,7 +122,10 @@ impl Splitter {
         }
         self.proposal.point = point;
         let creases = &self.creases;
-        let joins = |f, edge| !creases.contain(edge) && gives_way(solid, f, point);
+        let joins = |met: Met| {
+            let is_smooth = met.across.is_none_or(|edge| !creases.contain(edge));
+            is_smooth && gives_way(solid, met, point)
+        };
         if !solid.dig_on(point, first, joins, &mut self.proposal.prestar) {
             return false;
         }
@@ -206,19 +209,24 @@ impl Splitter {
     }
 }
 
-/// Whether a boundary facet has to give way to a point: it is inside its diametral sphere, outside the facet, or so near to its
-/// plane that the tetrahedron between the two would be flat.
-fn gives_way(solid: &Subcomplex3, f: FacetId, p: DVec3) -> bool {
-    let [a, b, c] = solid.triangle(f);
-    let n = normal([a, b, c]);
-    let longest = [b - a, c - b, a - c]
-        .map(DVec3::length)
-        .into_iter()
-        .fold(0.0, f64::max);
-    let height = n.normalize_or_zero().dot(p - a).abs();
-    in_diametral_ball(a, b, c, p) != Sign::Negative
-        || orient3d(a, b, c, p) != Sign::Negative
-        || height <= FLAT * longest
+/// Whether a boundary facet gives way to a point.
+///
+/// It has to when the point is inside its diametral sphere, and when the tetrahedron inside gives way and the point is outside the
+/// facet, or so near to its plane that the tetrahedron between the two would be flat. When the tetrahedron inside stays, the
+/// new one on top must not be flat.
+fn gives_way(solid: &Subcomplex3, met: Met, p: DVec3) -> bool {
+    let [a, b, c] = solid.triangle(met.facet);
+    let longest = [b - a, c - b, a - c].map(DVec3::length);
+    let longest = longest.into_iter().fold(0.0, f64::max);
+    let height = normal([a, b, c]).normalize_or_zero().dot(p - a);
+    let is_flat = height.abs() <= FLAT * longest;
+    let is_inside = in_diametral_ball(a, b, c, p) != Sign::Negative;
+    match met.opens {
+        true => {
+            is_inside || is_flat || met.across.is_none() || orient3d(a, b, c, p) != Sign::Negative
+        }
+        false => is_inside && !is_flat,
+    }
 }
 
 /// The boundary facets on an edge, in order round it.

@@ -20,7 +20,9 @@ pub(super) fn divide(region: &Subcomplex2, h: HalfEdgeId, smooth: f64) -> DVec2 
     }
     let tangent = |before: DVec2, after: DVec2| {
         let is_smooth = before.angle_to(after).abs() <= smooth + TURN_TOLERANCE;
-        let mean = before.normalize_or_zero() + after.normalize_or_zero();
+        // On a circle chords turn from the tangent in proportion to their lengths.
+        let mean = before.normalize_or_zero() * after.length()
+            + after.normalize_or_zero() * before.length();
         match is_smooth {
             true => mean.normalize_or_zero() * chord.length(),
             false => chord,
