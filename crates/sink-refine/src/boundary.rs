@@ -3,7 +3,8 @@
 /// Turns of less than this many radians are rounding: vertices put on a flat part are a little off.
 pub(crate) const TURN_TOLERANCE: f64 = 1e-6;
 
-/// Into how many parts of its length the shortest edge at a boundary vertex may be divided.
+/// Into how many parts of its length the shortest edge at a boundary vertex may be divided; or the largest circumradius allowed, where a
+/// smaller size is asked for.
 ///
 /// Where boundary parts meet at small angles, points on each call for points on the other, ever nearer to the corner. This ends that.
 pub(crate) const PARTS: f64 = 8.0;

@@ -18,6 +18,20 @@ pub enum RefineError {
         /// As given.
         crease: f64,
     },
+    /// A region limit is no length.
+    #[error("the size {size} of region {region} is not a number above zero")]
+    RegionSize {
+        /// Which of the limits, counted from 0.
+        region: usize,
+        /// As given.
+        size: f64,
+    },
+    /// The seed of a region is in no element.
+    #[error("the point of region {region} is outside of the mesh")]
+    RegionOutside {
+        /// Which of the limits, counted from 0.
+        region: usize,
+    },
     /// The report closure stopped the work before it began.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),

@@ -22,7 +22,7 @@ pub struct Round {
     pub vertices: usize,
     /// Triangles or tetrahedra.
     pub elements: usize,
-    /// Elements of low quality.
+    /// Elements of low quality, those that are too large included.
     pub low: usize,
     /// Different candidates of those elements: their sinks, or circumcenters.
     pub candidates: usize,

@@ -22,6 +22,7 @@
 //!
 //! [`refine2`] improves the triangles of a region, [`refine3`] the tetrahedra of a solid. The boundary stays as it is,
 //! unless [`Boundary::Split`] allows that it is divided.
+//! [`refine2_sized`] and [`refine3_sized`] also keep elements from being too large.
 //!
 //! ```
 //! use delaunay_core::{BuildOptions, Outline, Subcomplex2, VertexId, progress::silent};
@@ -54,14 +55,17 @@
 //! |---|---|
 //! | the plane | [`tri`] |
 //! | space | [`tet`] |
-//! | what is asked for | [`Params`] |
+//! | what is asked for | [`Params`], [`Sizing`] |
 //! | what was done | [`Round`], [`Counters`], [`Stop`] |
 
 mod boundary;
 mod error;
 mod history;
 mod params;
+mod quality;
 mod random_points;
+mod region_sizes;
+mod sizing;
 mod spheres;
 mod stamp;
 mod stop;
@@ -73,9 +77,10 @@ mod worklist;
 pub use error::RefineError;
 pub use history::{Counters, Round};
 pub use params::{Boundary, Candidate, Coarsening, Method, Params, Schedule};
+pub use sizing::{RegionLimit, Sizing, Sizing2, Sizing3, UnusableSize};
 pub use stop::Stop;
-pub use tet::{Low3, Outcome3, Reason3, Separation3, refine3};
+pub use tet::{Low3, Outcome3, Reason3, Separation3, refine3, refine3_sized};
 pub use tri::{
     End, Low2, Outcome2, Reason2, Separation2, Sinks, Successor, Triangles, flows_through, path,
-    refine2, sink, successor,
+    refine2, refine2_sized, sink, successor,
 };

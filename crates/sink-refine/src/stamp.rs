@@ -1,7 +1,7 @@
 //! When an element was made: what tells it from its predecessor with the same id.
 
 /// Never the same for two elements that had one id.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Stamp(u32);
 
 impl Stamp {

@@ -8,7 +8,7 @@ use data_sets::usa;
 use delaunay_core::measure::Summary;
 use delaunay_core::measure::triangle::radius_edge_ratio;
 use delaunay_core::progress::{Progress, silent};
-use delaunay_core::{BuildOptions, Delaunay2, HalfEdgeId, Outline, Subcomplex2, VertexId};
+use delaunay_core::{Delaunay2, HalfEdgeId, Subcomplex2, VertexId};
 use glam::DVec2;
 use proptest::prelude::*;
 use sink_refine::tri::stable_faces;
@@ -216,6 +216,7 @@ fn a_budget_and_a_report_stop_the_work() {
             ratio: 1.0,
             method,
             max_new_vertices: 5,
+            ..Params::default()
         };
         let outcome = refine2(given.clone(), &params, &mut silent).unwrap();
         assert_eq!(outcome.stop, Stop::OutOfVertices);

@@ -17,8 +17,8 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use rustc_hash::FxHashMap;
 use sink_refine::{
-    Boundary, Candidate, Coarsening, Method, Outcome2, Outcome3, Params, Schedule, Stop, refine2,
-    refine3,
+    Boundary, Candidate, Coarsening, Method, Outcome2, Outcome3, Params, Schedule, Sizing2,
+    Sizing3, Stop, refine2, refine2_sized, refine3, refine3_sized,
 };
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
@@ -316,6 +316,38 @@ fn crease_angles_that_are_none_are_refused() {
     );
     let error = refine2(given, &params, &mut silent).unwrap_err();
     insta::assert_snapshot!(error, @"the crease angle -1 is not a number of degrees from 0 to 180");
+}
+
+#[test]
+fn elements_become_as_small_as_asked_for_when_the_boundary_may_be_divided() {
+    let square = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
+    let square = Subcomplex2::of(&Delaunay2::build(&square).unwrap(), |_| true);
+    let field = |p: DVec2| 0.02 + 0.2 * p.length();
+    let sizing = Sizing2 {
+        field: Some(&field),
+        ..Sizing2::default()
+    };
+    for method in methods() {
+        let params = params(1.0, method, FLAT);
+        let outcome = refine2_sized(square.clone(), &params, &sizing, &mut silent).unwrap();
+        check_region(&square, &outcome).unwrap();
+        assert_eq!(outcome.stop, Stop::AllGood, "{method:?}");
+        assert!((area(&outcome.region) - 1.0).abs() < 1e-12);
+    }
+    let corner = |i: usize| DVec3::new((i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64);
+    let cube: Vec<DVec3> = (0..8).map(corner).collect();
+    let cube = Subcomplex3::of(&Delaunay3::build(&cube).unwrap(), |_| true);
+    let field = |p: DVec3| 0.1 + 0.3 * p.length();
+    let sizing = Sizing3 {
+        field: Some(&field),
+        ..Sizing3::default()
+    };
+    for method in methods() {
+        let params = params(2.0, method, FLAT);
+        let outcome = refine3_sized(cube.clone(), &params, &sizing, &mut silent).unwrap();
+        check_solid(&cube, &outcome).unwrap();
+        assert!((volume(&outcome.solid) - 1.0).abs() < 1e-12);
+    }
 }
 
 proptest! {

@@ -8,8 +8,9 @@ use std::collections::BTreeSet;
 
 use folder::{Folder, text};
 use serde_json::Value;
-use vide::delaunay_core::measure::tetrahedron::{radius_edge_ratio, signed_volume};
-use vide::glam::DVec3;
+use vide::delaunay_core::measure::tetrahedron::{circumradius, radius_edge_ratio, signed_volume};
+use vide::delaunay_core::measure::triangle::area;
+use vide::glam::{DVec2, DVec3};
 use vide::mesh_io::{Cell, CellKind, Mesh, read_mesh, write_mesh};
 
 const CUBOCTAHEDRON: &[u8] = include_bytes!("../../../fixtures/data/cuboctahedron.off");
@@ -155,6 +156,98 @@ fn a_surface_becomes_tetrahedra_of_good_ratio_within_the_same_triangles() {
         "{said}"
     );
     assert!(said.contains("tetrahedron.min_dihedral"), "{said}");
+}
+
+#[test]
+fn elements_are_no_larger_than_the_size_asked_for() {
+    let folder = Folder::with(&[("a.off", CUBOCTAHEDRON)]);
+    let said = run(
+        &folder,
+        "refine a.off -o a.vtu --size 0.25 --report a.json --threads 2",
+    );
+    assert!(
+        said.contains("no tetrahedron above the ratio 2 or the size 0.25\n"),
+        "{said}"
+    );
+    let mesh = read(&folder, "a.vtu");
+    let radii = tetrahedra(&mesh).into_iter();
+    let radii = radii.map(|corners| circumradius(places(&mesh, corners)));
+    assert!(radii.fold(0.0, f64::max) <= 0.25 * 6.0_f64.sqrt() / 4.0 + 1e-12);
+    assert!(worst_ratio(&mesh) <= 2.0);
+    let report = json(&folder, "a.json");
+    assert_eq!(report["refinement"]["size"], 0.25);
+    assert_eq!(report["refinement"]["low"]["too_large"], 0);
+    run(&folder, "refine a.off -o plain.vtu --report plain.json");
+    assert!(read(&folder, "plain.vtu").cells.len() < mesh.cells.len());
+    assert_eq!(
+        json(&folder, "plain.json")["refinement"]["size"],
+        Value::Null
+    );
+}
+
+#[test]
+fn what_is_too_large_for_a_coarse_boundary_is_counted_and_listed() {
+    let folder = Folder::with(&[("a.off", TETRAHEDRON)]);
+    let said = run(&folder, "refine a.off -o a.vtu --size 1 --report a.json");
+    assert!(said.contains("above the ratio 2 or the size 1: "), "{said}");
+    let low = &json(&folder, "a.json")["refinement"]["low"];
+    assert_eq!(low["too_large"], low["count"]);
+    assert!(low["reasons"]["boundary_triangle"].as_u64().unwrap() > 0);
+    assert!(low["worst"][0]["size"].as_f64().unwrap() > 1.0);
+}
+
+/// Squares of side 1 at these distances to the right, ten edges to a side.
+fn squares(at: &[f64], regions: &str) -> String {
+    let (mut points, mut segments) = (String::new(), String::new());
+    for (square, x) in at.iter().enumerate() {
+        for i in 0..40 {
+            let (side, t) = (i / 10, f64::from(i % 10) / 10.0);
+            let place = [[t, 0.0], [1.0, t], [1.0 - t, 1.0], [0.0, 1.0 - t]][side as usize];
+            let first = 40 * square + 1;
+            let [here, next] = [i, (i + 1) % 40].map(|i| first + i as usize);
+            points += &format!("{here} {} {}\n", place[0] + x, place[1]);
+            segments += &format!("{here} {here} {next}\n");
+        }
+    }
+    let count = 40 * at.len();
+    format!("{count} 2 0 0\n{points}{count} 0\n{segments}0\n{regions}")
+}
+
+#[test]
+fn regions_of_an_outline_have_no_larger_triangles_than_their_limits() {
+    let fine = "2\n1 0.5 0.5 1 0.006\n2 3.5 0.5 2\n";
+    let folder = Folder::with(&[
+        ("fine.poly", squares(&[0.0, 3.0], fine)),
+        ("plain.poly", squares(&[0.0, 3.0], "")),
+        ("outside.poly", squares(&[0.0], "1\n1 2 0.5 1 0.1\n")),
+    ]);
+    let counts = |arguments: &str| {
+        run(&folder, &format!("refine {arguments} -o out.vtu"));
+        let mesh = read(&folder, "out.vtu");
+        let mut counts = [0, 0];
+        for cell in mesh.cells.iter() {
+            let corners = cell.corners().iter().map(|&i| mesh.points[i as usize]);
+            let corners: Vec<DVec2> = corners.map(|[x, y, _]| DVec2::new(x, y)).collect();
+            let right = corners[0].x > 2.0;
+            counts[usize::from(right)] += 1;
+            let area = area([corners[0], corners[1], corners[2]]);
+            assert!(right || !arguments.contains("fine") || area <= 0.006);
+        }
+        counts
+    };
+    let [left, right] = counts("plain.poly");
+    let [fine, plain] = counts("fine.poly");
+    assert!(
+        2 * fine > 3 * left && 10 * plain < 11 * right,
+        "{fine} {left}, {plain} {right}"
+    );
+    let [_, small] = counts("fine.poly --size 0.11");
+    assert!(2 * small > 3 * plain, "{small} {plain}");
+    let error = folder.error(&["refine", "outside.poly", "-o", "out.vtu"]);
+    assert!(
+        error.contains("outside.poly: the point of region 0 is outside of the mesh"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -366,6 +459,9 @@ fn options_of_another_method_are_wrong_usage() {
         "--candidate sink --coarsen removal",
         "--candidate sink --schedule sideways",
         "--max-vertices -1",
+        "--size 0",
+        "--size inf",
+        "--size long",
     ]
     .map(|options| {
         let words = format!("refine good.off -o out.vtu {options}");

@@ -18,13 +18,13 @@ pub(crate) struct Site {
 }
 
 impl Site {
-    pub(crate) fn of(tet: TetId, records: &Records) -> Self {
+    pub(crate) fn of(tet: TetId, records: &Records<'_>) -> Self {
         let stamp = records.stamp(tet);
         Self { tet, stamp }
     }
 
     /// Whether its tetrahedron is still there.
-    pub(crate) fn is_there(&self, records: &Records) -> bool {
+    pub(crate) fn is_there(&self, records: &Records<'_>) -> bool {
         records.stamp(self.tet) == self.stamp
     }
 
@@ -63,7 +63,7 @@ impl Candidates {
     pub(crate) fn of<'a>(
         &'a self,
         solid: &Subcomplex3,
-        records: &'a Records,
+        records: &'a Records<'_>,
         walk: &'a mut FlowWalk,
         t: TetId,
     ) -> impl Iterator<Item = Site> + 'a {
@@ -76,7 +76,7 @@ impl Candidates {
     }
 
     /// The candidates of all tetrahedra of low quality, each once; those of the worst tetrahedra first.
-    pub(crate) fn all(&mut self, solid: &Subcomplex3, records: &Records) -> Vec<Site> {
+    pub(crate) fn all(&mut self, solid: &Subcomplex3, records: &Records<'_>) -> Vec<Site> {
         let mut found = match self.kind {
             Candidate::Sink => self.watersheds.sinks(solid, records),
             Candidate::Circumcenter => records.all_low().collect(),

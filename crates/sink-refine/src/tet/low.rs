@@ -7,13 +7,15 @@ use delaunay_core::measure::facet;
 use delaunay_core::measure::tetrahedron::circumcenter;
 use delaunay_core::{FacetId, Subcomplex3, TetId};
 
-/// A tetrahedron of low quality that is left.
+/// A tetrahedron of low quality that is left: its ratio is too large, or itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Low3 {
     /// The tetrahedron.
     pub tet: TetId,
     /// Its ratio r/l.
     pub ratio: f64,
+    /// Its circumradius over the largest that the size asked for allows: above 1 it is too large. 0 where no size is asked for.
+    pub size: f64,
     /// Why it is left.
     pub reason: Reason3,
 }
@@ -21,8 +23,8 @@ pub struct Low3 {
 /// Why a tetrahedron of low quality is left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason3 {
-    /// A facet of it is on the boundary, and the ratio of that triangle alone is too large: no tetrahedron on it has a
-    /// smaller one.
+    /// A facet of it is on the boundary, and the ratio or the circumradius of that triangle alone is too large: no tetrahedron on it
+    /// has a smaller one.
     BoundaryTriangle(FacetId),
     /// Its sinks and its circumcenter are inside diametral spheres of boundary facets, this one among them. When
     /// they might be divided: these have been as far as they may be.
@@ -35,33 +37,33 @@ pub enum Reason3 {
 }
 
 /// The tetrahedra of low quality that are left, worst first, equal ones by id.
-pub(crate) fn left_over(solid: &Subcomplex3, records: &Records) -> Vec<Low3> {
+pub(crate) fn left_over(solid: &Subcomplex3, records: &Records<'_>) -> Vec<Low3> {
     let mut walk = FlowWalk::default();
     let mut proposal = Proposal::default();
     let low = solid.tets().filter(|&t| records.is_low(t));
     let mut low: Vec<Low3> = low
         .map(|tet| Low3 {
             tet,
-            ratio: records.ratio(tet),
+            ratio: records.quality(tet).ratio(),
+            size: records.quality(tet).size(),
             reason: reason(solid, records, &mut walk, &mut proposal, tet),
         })
         .collect();
-    low.sort_by(|a, b| b.ratio.total_cmp(&a.ratio).then(a.tet.cmp(&b.tet)));
+    let badness = |low: &Low3| low.ratio.max(low.size * records.bound());
+    low.sort_by(|a, b| badness(b).total_cmp(&badness(a)).then(a.tet.cmp(&b.tet)));
     low
 }
 
 fn reason(
     solid: &Subcomplex3,
-    records: &Records,
+    records: &Records<'_>,
     walk: &mut FlowWalk,
     proposal: &mut Proposal,
     tet: TetId,
 ) -> Reason3 {
-    let on_boundary = tet.facets().into_iter().filter(|&f| solid.is_boundary(f));
-    for f in on_boundary {
-        if records.is_low_ratio(facet::radius_edge_ratio(solid.triangle(f)).powi(2)) {
-            return Reason3::BoundaryTriangle(f);
-        }
+    let skinny = skinny_boundary(solid, records, tet);
+    if let Some(f) = skinny.or_else(|| large_boundary(solid, records, tet)) {
+        return Reason3::BoundaryTriangle(f);
     }
     let sinks = walk.follow(solid, tet, |t| records.flow(t)).iter();
     let mut reason = Reason3::Outside;
@@ -74,4 +76,31 @@ fn reason(
         }
     }
     reason
+}
+
+/// A boundary facet of a tetrahedron whose ratio alone makes that of the tetrahedron too large.
+pub(crate) fn skinny_boundary(
+    solid: &Subcomplex3,
+    records: &Records<'_>,
+    tet: TetId,
+) -> Option<FacetId> {
+    let ratio = |f: &FacetId| facet::radius_edge_ratio(solid.triangle(*f));
+    let mut on_boundary = on_boundary(solid, tet);
+    on_boundary.find(|f| records.is_low_ratio(ratio(f).powi(2)))
+}
+
+/// A boundary facet of a tetrahedron whose circumradius alone makes it too large, whatever its fourth corner.
+pub(crate) fn large_boundary(
+    solid: &Subcomplex3,
+    records: &Records<'_>,
+    tet: TetId,
+) -> Option<FacetId> {
+    let largest = records.largest_radius(solid, tet);
+    let mut on_boundary = on_boundary(solid, tet);
+    on_boundary.find(|&f| facet::circumradius(solid.triangle(f)) > largest)
+}
+
+fn on_boundary(solid: &Subcomplex3, tet: TetId) -> impl Iterator<Item = FacetId> {
+    let facets = tet.facets().into_iter();
+    facets.filter(|&f| solid.is_boundary(f))
 }

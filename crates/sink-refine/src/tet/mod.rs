@@ -10,6 +10,7 @@
 //! | independence, orthogonality (§4.4) | `independence.rs` |
 //! | minimum separation, number of vertices (§4.4) | `separation.rs` |
 //! | low quality (§4.3) | `records.rs`, `low.rs` |
+//! | too large, beyond the paper | `sizes.rs` |
 //! | sinks or circumcenters | `candidate.rs`, `watershed.rs` |
 //! | schedules (§4.5) | `schedule/` |
 //! | fewer points | `economical/` |
@@ -29,6 +30,7 @@ mod refine;
 mod refiner;
 mod schedule;
 mod separation;
+mod sizes;
 mod square_distance;
 mod stable;
 mod watershed;
@@ -37,7 +39,7 @@ pub use flow::{FlowWalk, Successor3, is_sink, sink, successors};
 pub use flow_graph::FlowGraph3;
 pub use independence::{are_independent, are_orthogonal_or_further};
 pub use low::{Low3, Reason3};
-pub use refine::{Outcome3, refine3};
+pub use refine::{Outcome3, refine3, refine3_sized};
 pub use separation::Separation3;
 pub use square_distance::{phi, pi};
 pub use stable::stable_tets;

@@ -7,9 +7,11 @@ use super::records::Records;
 use super::refiner::Refiner;
 use super::schedule;
 use super::separation::{Separation3, shortest_edge, vertex_bound};
+use super::sizes::Sizes;
 use crate::error::RefineError;
 use crate::history::{Counters, Round};
 use crate::params::{Boundary, Candidate, Method, Params, Schedule};
+use crate::sizing::Sizing3;
 use crate::stop::Stop;
 use delaunay_core::Subcomplex3;
 use delaunay_core::progress::{Meter, Progress};
@@ -69,13 +71,31 @@ pub fn refine3(
     params: &Params,
     report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Outcome3, RefineError> {
+    refine3_sized(solid, params, &Sizing3::default(), report)
+}
+
+/// Improves the tetrahedra of `solid` as [`refine3`] does, and makes them small enough for `sizing`.
+///
+/// What is too large is of low quality in all that the outcome says: [`Stop::AllGood`] means that nothing too large is left, and
+/// [`Low3::size`] tells how much too large what is left is. Where the field gives no size, it ends with [`Stop::UnusableSize`].
+///
+/// # Errors
+/// Those of [`refine3`]; [`RefineError::RegionSize`] and [`RefineError::RegionOutside`] for regions that are none.
+pub fn refine3_sized(
+    solid: Subcomplex3,
+    params: &Params,
+    sizing: &Sizing3<'_>,
+    report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Outcome3, RefineError> {
     params.check()?;
+    let sizes = Sizes::of(&solid, sizing)?;
     let meter = Meter::start(report, "refine", 0)?;
     let given = shortest_edge(&solid);
-    let vertex_bound = vertex_bound(&solid, params.boundary.least_separation(given));
-    let records = Records::of(&solid, params.ratio);
+    let mut bound = vertex_bound(&solid, params.boundary.least_separation(given));
+    let records = Records::of(&solid, params.ratio, sizes);
     let mut refiner = Refiner::new(solid, records, params.max_new_vertices, meter);
-    let ended = match params.method {
+    let usable = refiner.records.check_sizes();
+    let ended = usable.and_then(|()| match params.method {
         Method::Paper {
             candidate,
             schedule,
@@ -83,7 +103,7 @@ pub fn refine3(
         Method::Economical(coarsening) => {
             economical::run(&mut refiner, coarsening, params.boundary)
         }
-    };
+    });
     refiner.begin_round();
     let low = left_over(&refiner.solid, &refiner.records);
     let stop = match ended {
@@ -97,10 +117,14 @@ pub fn refine3(
         rounds,
         ..
     } = refiner;
+    let reached = shortest_edge(&solid);
+    if reached < given && !sizing.is_empty() {
+        bound = vertex_bound(&solid, reached);
+    }
     let separation = Separation3 {
         given,
-        reached: shortest_edge(&solid),
-        vertex_bound,
+        reached,
+        vertex_bound: bound,
     };
     Ok(Outcome3 {
         solid,

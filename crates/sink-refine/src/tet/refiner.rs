@@ -8,14 +8,14 @@ use crate::stop::Stop;
 use crate::worklist::{Entry, Worklist};
 use delaunay_core::measure::Summary;
 use delaunay_core::progress::Meter;
-use delaunay_core::{Patch, Subcomplex3, TetId, VertexId};
+use delaunay_core::{FacetId, Patch, Subcomplex3, TetId, VertexId};
 use glam::DVec3;
 
 /// The state that all schedules share.
 #[derive(Debug)]
 pub(crate) struct Refiner<'a> {
     pub(crate) solid: Subcomplex3,
-    pub(crate) records: Records,
+    pub(crate) records: Records<'a>,
     worklist: Worklist<TetId>,
     pub(crate) counters: Counters,
     pub(crate) rounds: Vec<Round>,
@@ -30,7 +30,7 @@ pub(crate) struct Refiner<'a> {
 impl<'a> Refiner<'a> {
     pub(crate) fn new(
         solid: Subcomplex3,
-        records: Records,
+        records: Records<'a>,
         budget: usize,
         meter: Meter<'a>,
     ) -> Self {
@@ -85,30 +85,36 @@ impl<'a> Refiner<'a> {
     /// Inserts a point that has passed its tests since the mesh has changed last; its prestar becomes its star.
     ///
     /// # Errors
-    /// Why no more points are inserted; the mesh is as before then, but when cancelled.
+    /// Why no more points are inserted; the mesh is as before then, but when cancelled or a size is unusable.
     pub(crate) fn insert(&mut self, proposal: &mut Proposal) -> Result<VertexId, Stop> {
         self.gone.clear();
         let vertex = self.fill(proposal)?;
         self.records.forget(self.gone.drain(..));
-        self.examine(proposal.prestar.tets());
+        self.examine(proposal.prestar.tets())?;
         self.meter.advance()?;
         Ok(vertex)
     }
 
-    /// Inserts a point on the boundary, with the ghosts in its prestar; else as [`insert`](Self::insert) does.
+    /// Inserts a point on the boundary facet `on`, with the ghosts in its prestar; else as [`insert`](Self::insert) does.
     ///
     /// # Errors
     /// As [`insert`](Self::insert).
-    pub(crate) fn insert_on_boundary(&mut self, proposal: &mut Proposal) -> Result<VertexId, Stop> {
+    pub(crate) fn insert_on_boundary(
+        &mut self,
+        proposal: &mut Proposal,
+        on: FacetId,
+    ) -> Result<VertexId, Stop> {
         self.gone.clear();
         let vertex = self.fill(proposal)?;
+        // When all tetrahedra stay, the new ones are in the region of those under them.
+        self.records.inherit(proposal.prestar.tets(), &[on.tet()]);
         self.counters.split += 1;
         self.records.forget(self.gone.drain(..));
         let star = proposal.prestar.tets().iter().copied();
         let real: Vec<TetId> = star
             .filter(|&t| !self.solid.mesh().is_ghost_tet(t))
             .collect();
-        self.examine(&real);
+        self.examine(&real)?;
         self.meter.advance()?;
         Ok(vertex)
     }
@@ -133,6 +139,7 @@ impl<'a> Refiner<'a> {
         }
         self.records.forget(self.gone.drain(..));
         self.records.examine_together(&self.solid, &new);
+        self.records.check_sizes()?;
         self.meter.reach(self.counters.inserted)?;
         ended
     }
@@ -148,6 +155,8 @@ impl<'a> Refiner<'a> {
             self.gone.truncate(before);
             return Err(Stop::OutOfIds);
         };
+        let gone = &self.gone[before..];
+        self.records.inherit(proposal.prestar.tets(), gone);
         self.budget -= 1;
         self.counters.inserted += 1;
         Ok(vertex)
@@ -157,7 +166,7 @@ impl<'a> Refiner<'a> {
     /// fill the hole.
     ///
     /// # Errors
-    /// When cancelled.
+    /// When cancelled, or when a size is unusable.
     pub(crate) fn remove(&mut self, patch: &Patch) -> Result<Option<Vec<TetId>>, Stop> {
         let Some(tets) = self.solid.remove(patch) else {
             return Ok(None);
@@ -165,15 +174,20 @@ impl<'a> Refiner<'a> {
         self.budget = self.budget.saturating_add(1);
         self.counters.removed += 1;
         self.records.forget(patch.star().iter().copied());
-        self.examine(&tets);
+        self.records.inherit(&tets, patch.star());
+        self.examine(&tets)?;
         self.meter.advance()?;
         Ok(Some(tets))
     }
 
     /// Measures new tetrahedra and puts those of low quality on the worklist.
-    pub(crate) fn examine(&mut self, tets: &[TetId]) {
+    ///
+    /// # Errors
+    /// When a size is unusable.
+    fn examine(&mut self, tets: &[TetId]) -> Result<(), Stop> {
         self.records.examine(&self.solid, tets);
         self.list(tets);
+        self.records.check_sizes()
     }
 
     /// Lists all tetrahedra of low quality.
@@ -193,7 +207,7 @@ impl<'a> Refiner<'a> {
 
     fn entry(&self, tet: TetId) -> Entry<TetId> {
         Entry {
-            urgency: self.records.squared_ratio(tet),
+            urgency: self.records.badness(tet),
             id: tet,
             stamp: self.records.stamp(tet),
         }

@@ -8,13 +8,14 @@ use std::f64::consts::PI;
 /// How near vertices are to each other, and how many there can be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Separation3 {
-    /// Length of the shortest edge before. With the boundary kept this is δ: the paper's method never makes a shorter one. Where the
-    /// boundary may be divided δ is an eighth of it.
+    /// Length of the shortest edge before: δ. The paper's method never makes a shorter one, unless the boundary may be divided, when δ is
+    /// an eighth of it, or a smaller size is asked for:
+    /// then none is shorter than √6/4 times the least size.
     pub given: f64,
     /// Length of the shortest edge after.
     pub reached: f64,
     /// A bound on the number of vertices that are δ apart: 6/(πδ³) times the volume grown by δ/2. Infinite where doubles
-    /// run out.
+    /// run out. With sizes asked for, of those that are as far apart as `reached`, if that is less.
     pub vertex_bound: f64,
 }
 

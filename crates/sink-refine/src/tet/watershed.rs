@@ -20,16 +20,20 @@ struct Node {
     is_reached: bool,
     /// Predecessors reached that are not done.
     waiting: u32,
-    /// The largest squared ratio of an ancestor of low quality.
+    /// How bad the worst ancestor of low quality is.
     worst: f64,
 }
 
 impl Watersheds {
-    /// The sink tetrahedra in which flows from tetrahedra of low quality end, each with the largest squared ratio of those;
+    /// The sink tetrahedra in which flows from tetrahedra of low quality end, each with how bad the worst of those is;
     /// in no order.
     ///
     /// Every tetrahedron on the way is passed once, after its predecessors: takes time linear in their number.
-    pub(crate) fn sinks(&mut self, solid: &Subcomplex3, records: &Records) -> Vec<(TetId, f64)> {
+    pub(crate) fn sinks(
+        &mut self,
+        solid: &Subcomplex3,
+        records: &Records<'_>,
+    ) -> Vec<(TetId, f64)> {
         self.nodes.clear();
         self.nodes.resize(records.slots(), Node::default());
         self.reach(solid, records);
@@ -61,7 +65,7 @@ impl Watersheds {
     }
 
     /// Finds the tetrahedra of low quality and all that their flows pass.
-    fn reach(&mut self, solid: &Subcomplex3, records: &Records) {
+    fn reach(&mut self, solid: &Subcomplex3, records: &Records<'_>) {
         self.reached.clear();
         for (t, worst) in records.all_low() {
             self.nodes[t.index()] = Node {

@@ -18,7 +18,7 @@ pub(crate) struct Site {
 
 impl Site {
     /// Whether its triangle is still there.
-    pub(crate) fn is_there(&self, records: &Records) -> bool {
+    pub(crate) fn is_there(&self, records: &Records<'_>) -> bool {
         records.stamp(self.face) == self.stamp
     }
 
@@ -45,7 +45,12 @@ impl Candidates {
     }
 
     /// The candidate of a triangle, unless the flow leaves or it has been rejected.
-    pub(crate) fn of(&self, region: &Subcomplex2, records: &Records, f: FaceId) -> Option<Site> {
+    pub(crate) fn of(
+        &self,
+        region: &Subcomplex2,
+        records: &Records<'_>,
+        f: FaceId,
+    ) -> Option<Site> {
         let face = match self.kind {
             Candidate::Circumcenter => f,
             Candidate::Sink => sink_triangle(region.mesh(), f, |f| records.exit(f))?,
@@ -56,22 +61,22 @@ impl Candidates {
     }
 
     /// The candidates of all triangles of low quality, each once; those of the worst triangles first.
-    pub(crate) fn all(&self, region: &Subcomplex2, records: &Records) -> Vec<Site> {
+    pub(crate) fn all(&self, region: &Subcomplex2, records: &Records<'_>) -> Vec<Site> {
         let faces = 0..records.slots();
         let found: Vec<(Site, f64)> = faces
             .into_par_iter()
             .map(FaceId::new)
             .filter(|&f| records.is_low(f))
-            .filter_map(|f| Some((self.of(region, records, f)?, records.squared_ratio(f))))
+            .filter_map(|f| Some((self.of(region, records, f)?, records.badness(f))))
             .collect();
         let mut worst = vec![0.0_f64; records.slots()];
         let mut sites = Vec::new();
-        for (site, ratio) in found {
+        for (site, badness) in found {
             let known = &mut worst[site.face.index()];
             if *known == 0.0 {
                 sites.push(site);
             }
-            *known = known.max(ratio);
+            *known = known.max(badness);
         }
         let worst = |site: &Site| worst[site.face.index()];
         sites.par_sort_unstable_by(|a, b| worst(b).total_cmp(&worst(a)).then(a.face.cmp(&b.face)));

@@ -10,6 +10,7 @@
 //! | independence, orthogonality (§4.4) | `independence.rs` |
 //! | minimum separation, number of vertices (§4.4) | `separation.rs` |
 //! | low quality (§4.3) | `records.rs`, `low.rs` |
+//! | too large, beyond the paper | `sizes.rs` |
 //! | sinks or circumcenters | `candidate.rs` |
 //! | schedules (§4.5) | `schedule/` |
 //! | fewer points | `economical/` |
@@ -29,13 +30,14 @@ mod refiner;
 mod schedule;
 mod separation;
 mod sinks;
+mod sizes;
 mod square_distance;
 mod stable;
 
 pub use flow::{Successor, Triangles, flows_through, path, successor};
 pub use independence::{are_independent, are_orthogonal_or_further};
 pub use low::{Low2, Reason2};
-pub use refine::{Outcome2, refine2};
+pub use refine::{Outcome2, refine2, refine2_sized};
 pub use separation::Separation2;
 pub use sinks::{End, Sinks, sink};
 pub use square_distance::{phi, pi};

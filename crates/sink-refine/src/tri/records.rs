@@ -1,24 +1,30 @@
-//! What is remembered of every triangle: its ratio r/l (§4.3), where the flow leaves it (§3.3), and when it was made.
+//! What is remembered of every triangle: its ratio r/l (§4.3) and size, where the flow leaves it (§3.3), and when it was made.
 
 use super::flow::exit;
+use super::sizes::Sizes;
+use crate::quality::Quality;
 use crate::stamp::Stamp;
+use crate::stop::Stop;
 use delaunay_core::measure::triangle::radius_edge_ratio;
 use delaunay_core::{FaceId, HalfEdgeId, Subcomplex2};
 use glam::DVec2;
 
 /// Records of the triangles of a subcomplex.
 #[derive(Clone, Debug)]
-pub(crate) struct Records {
+pub(crate) struct Records<'a> {
     bound: f64,
+    sizes: Sizes<'a>,
     /// By triangle.
     entries: Vec<Entry>,
     /// That of the last change.
     last: Stamp,
+    /// The first triangle found for which the sizing field gives no size, by its corners.
+    unusable: Option<[DVec2; 3]>,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Entry {
-    squared_ratio: f64,
+    quality: Quality,
     stamp: Stamp,
     squared_shortest: f64,
     exit: Option<HalfEdgeId>,
@@ -26,20 +32,22 @@ struct Entry {
 
 impl Entry {
     const GONE: Self = Self {
-        squared_ratio: 0.0,
+        quality: Quality::NONE,
         stamp: Stamp::NONE,
         squared_shortest: 0.0,
         exit: None,
     };
 }
 
-impl Records {
-    /// The triangles of `region`, of low quality when r/l exceeds `bound`.
-    pub(crate) fn of(region: &Subcomplex2, bound: f64) -> Self {
+impl<'a> Records<'a> {
+    /// The triangles of `region`, of low quality when r/l exceeds `bound` or they are too large.
+    pub(crate) fn of(region: &Subcomplex2, bound: f64, sizes: Sizes<'a>) -> Self {
         let mut records = Self {
             bound,
+            sizes,
             entries: Vec::new(),
             last: Stamp::NONE,
+            unusable: None,
         };
         records.examine(region, region.faces());
         records
@@ -55,8 +63,12 @@ impl Records {
         self.entries.resize(region.mesh().face_count(), Entry::GONE);
         for f in faces {
             let corners = region.triangle(f);
+            let quality = self.measure(corners, &[f]);
+            if quality.squared_size.is_nan() && self.unusable.is_none() {
+                self.unusable = Some(corners);
+            }
             self.entries[f.index()] = Entry {
-                squared_ratio: squared_ratio(corners),
+                quality,
                 stamp,
                 squared_shortest: squared_edges(corners)
                     .into_iter()
@@ -64,6 +76,40 @@ impl Records {
                 exit: exit(region, f),
             };
         }
+    }
+
+    /// The quality of a triangle, there or not, in the region of others.
+    pub(crate) fn measure(&self, corners: [DVec2; 3], home: &[FaceId]) -> Quality {
+        let in_region = self.sizes.of_region(home);
+        Quality {
+            squared_ratio: squared_ratio(corners),
+            squared_size: self.sizes.squared_size(corners, in_region),
+        }
+    }
+
+    /// Whether the sizing field has given sizes for all triangles.
+    ///
+    /// # Errors
+    /// [`Stop::UnusableSize`].
+    pub(crate) fn check_sizes(&self) -> Result<(), Stop> {
+        let found = self.unusable.map(|corners| self.sizes.unusable(corners));
+        found.map_or(Ok(()), |unusable| Err(Stop::UnusableSize(unusable)))
+    }
+
+    /// Takes note that triangles have come in the place of others.
+    pub(crate) fn inherit(&mut self, heirs: &[FaceId], from: &[FaceId]) {
+        self.sizes.inherit(heirs, from);
+    }
+
+    /// Takes note of faces that have other ids, one after the other.
+    pub(crate) fn rename(&mut self, moved: &[(FaceId, FaceId)]) {
+        self.sizes.rename(moved);
+    }
+
+    /// The largest circumradius that a triangle may have for its size.
+    pub(crate) fn largest_radius(&self, region: &Subcomplex2, f: FaceId) -> f64 {
+        let in_region = self.sizes.of_region(&[f]);
+        self.sizes.largest_radius(region.triangle(f), in_region)
     }
 
     /// Forgets triangles that are gone.
@@ -102,26 +148,27 @@ impl Records {
         self.entries.get(f.index()).unwrap_or(&Entry::GONE)
     }
 
-    pub(crate) fn squared_ratio(&self, f: FaceId) -> f64 {
-        self.entry(f).squared_ratio
+    pub(crate) fn quality(&self, f: FaceId) -> Quality {
+        self.entry(f).quality
     }
 
-    pub(crate) fn ratio(&self, f: FaceId) -> f64 {
-        self.squared_ratio(f).sqrt()
+    /// How bad a triangle is, see [`Quality::badness`].
+    pub(crate) fn badness(&self, f: FaceId) -> f64 {
+        self.quality(f).badness(self.bound)
     }
 
     pub(crate) fn is_low(&self, f: FaceId) -> bool {
-        self.is_low_ratio(self.squared_ratio(f))
+        self.quality(f).is_low(self.bound)
+    }
+
+    /// Whether the ratio of a triangle makes it one of low quality.
+    pub(crate) fn is_skinny(&self, f: FaceId) -> bool {
+        self.is_low_ratio(self.quality(f).squared_ratio)
     }
 
     /// Whether a squared ratio is one of low quality.
     pub(crate) fn is_low_ratio(&self, squared_ratio: f64) -> bool {
         squared_ratio > self.bound * self.bound
-    }
-
-    /// By how much a squared ratio exceeds that of the bound, as a logarithm.
-    pub(crate) fn excess(&self, squared_ratio: f64) -> f64 {
-        (squared_ratio / (self.bound * self.bound)).ln()
     }
 
     /// The bound on r/l.
@@ -134,7 +181,7 @@ impl Records {
 ///
 /// r = abc / 2d with the lengths a, b, c of the edges and the determinant d of two of them.
 #[inline]
-pub(crate) fn squared_ratio(corners: [DVec2; 3]) -> f64 {
+fn squared_ratio(corners: [DVec2; 3]) -> f64 {
     let [a, b, c] = corners;
     let determinant = (b - a).perp_dot(c - a);
     let mut edges = squared_edges(corners);

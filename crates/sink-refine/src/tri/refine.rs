@@ -7,9 +7,11 @@ use super::records::Records;
 use super::refiner::Refiner;
 use super::schedule;
 use super::separation::{Separation2, shortest_edge, vertex_bound};
+use super::sizes::Sizes;
 use crate::error::RefineError;
 use crate::history::{Counters, Round};
 use crate::params::{Boundary, Candidate, Method, Params, Schedule};
+use crate::sizing::Sizing2;
 use crate::stop::Stop;
 use delaunay_core::Subcomplex2;
 use delaunay_core::progress::{Meter, Progress};
@@ -66,13 +68,31 @@ pub fn refine2(
     params: &Params,
     report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Outcome2, RefineError> {
+    refine2_sized(region, params, &Sizing2::default(), report)
+}
+
+/// Improves the triangles of `region` as [`refine2`] does, and makes them small enough for `sizing`.
+///
+/// What is too large is of low quality in all that the outcome says: [`Stop::AllGood`] means that nothing too large is left, and
+/// [`Low2::size`] tells how much too large what is left is. Where the field gives no size, it ends with [`Stop::UnusableSize`].
+///
+/// # Errors
+/// Those of [`refine2`]; [`RefineError::RegionSize`] and [`RefineError::RegionOutside`] for regions that are none.
+pub fn refine2_sized(
+    region: Subcomplex2,
+    params: &Params,
+    sizing: &Sizing2<'_>,
+    report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Outcome2, RefineError> {
     params.check()?;
+    let sizes = Sizes::of(&region, sizing)?;
     let meter = Meter::start(report, "refine", 0)?;
     let given = shortest_edge(&region);
-    let vertex_bound = vertex_bound(&region, params.boundary.least_separation(given));
-    let records = Records::of(&region, params.ratio);
+    let mut bound = vertex_bound(&region, params.boundary.least_separation(given));
+    let records = Records::of(&region, params.ratio, sizes);
     let mut refiner = Refiner::new(region, records, params.max_new_vertices, meter);
-    let ended = match params.method {
+    let usable = refiner.records.check_sizes();
+    let ended = usable.and_then(|()| match params.method {
         Method::Paper {
             candidate,
             schedule,
@@ -80,7 +100,7 @@ pub fn refine2(
         Method::Economical(coarsening) => {
             economical::run(&mut refiner, coarsening, params.boundary)
         }
-    };
+    });
     refiner.begin_round();
     let low = left_over(&refiner.region, &refiner.records);
     let stop = match ended {
@@ -94,10 +114,14 @@ pub fn refine2(
         rounds,
         ..
     } = refiner;
+    let reached = shortest_edge(&region);
+    if reached < given && !sizing.is_empty() {
+        bound = vertex_bound(&region, reached);
+    }
     let separation = Separation2 {
         given,
-        reached: shortest_edge(&region),
-        vertex_bound,
+        reached,
+        vertex_bound: bound,
     };
     Ok(Outcome2 {
         region,

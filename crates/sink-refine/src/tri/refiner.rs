@@ -14,9 +14,9 @@ use glam::DVec2;
 /// Which triangle is the most urgent.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Urgency {
-    /// The one with the largest ratio.
+    /// The one with the largest ratio, or the one that is as bad for its size.
     #[default]
-    WorstRatio,
+    Worst,
     /// The one with the shortest edge.
     ShortestEdge,
 }
@@ -25,7 +25,7 @@ pub(crate) enum Urgency {
 #[derive(Debug)]
 pub(crate) struct Refiner<'a> {
     pub(crate) region: Subcomplex2,
-    pub(crate) records: Records,
+    pub(crate) records: Records<'a>,
     urgency: Urgency,
     worklist: Worklist<FaceId>,
     pub(crate) counters: Counters,
@@ -41,7 +41,7 @@ pub(crate) struct Refiner<'a> {
 impl<'a> Refiner<'a> {
     pub(crate) fn new(
         region: Subcomplex2,
-        records: Records,
+        records: Records<'a>,
         budget: usize,
         meter: Meter<'a>,
     ) -> Self {
@@ -101,10 +101,10 @@ impl<'a> Refiner<'a> {
     /// Inserts a point that has passed its tests since the mesh has changed last; its prestar becomes its star.
     ///
     /// # Errors
-    /// Why no more points are inserted; the mesh is as before then, but when cancelled.
+    /// Why no more points are inserted; the mesh is as before then, but when cancelled or a size is unusable.
     pub(crate) fn insert(&mut self, proposal: &mut Proposal) -> Result<VertexId, Stop> {
         let vertex = self.fill(proposal)?;
-        self.examine(proposal.prestar.faces());
+        self.examine(proposal.prestar.faces())?;
         self.meter.advance()?;
         Ok(vertex)
     }
@@ -118,7 +118,7 @@ impl<'a> Refiner<'a> {
         self.counters.split += 1;
         let mut star = proposal.prestar.faces().to_vec();
         star.retain(|&f| !self.region.mesh().is_ghost_face(f));
-        self.examine(&star);
+        self.examine(&star)?;
         self.meter.advance()?;
         Ok(vertex)
     }
@@ -134,6 +134,7 @@ impl<'a> Refiner<'a> {
         let vertex = filled.ok_or(Stop::OutOfIds)?;
         self.budget -= 1;
         self.counters.inserted += 1;
+        self.records.inherit(proposal.prestar.faces(), &self.gone);
         self.records.forget(self.gone.drain(..));
         Ok(vertex)
     }
@@ -141,12 +142,13 @@ impl<'a> Refiner<'a> {
     /// Removes the vertex of a patch just found.
     ///
     /// # Errors
-    /// When cancelled.
+    /// When cancelled, or when a size is unusable.
     pub(crate) fn remove(&mut self, patch: &Patch2) -> Result<Refilled, Stop> {
         let refilled = self.region.remove(patch);
         self.budget = self.budget.saturating_add(1);
         self.counters.removed += 1;
         self.records.forget(patch.star().iter().copied());
+        self.records.rename(&refilled.moved);
         let mesh = self.region.mesh();
         let moved = refilled.moved.iter().map(|&(_, new)| new);
         let mut renewed: Vec<FaceId> = refilled.made.iter().copied().chain(moved).collect();
@@ -154,7 +156,7 @@ impl<'a> Refiner<'a> {
         renewed.retain(|f| f.index() < mesh.face_count() && !mesh.is_ghost_face(*f));
         renewed.sort_unstable();
         renewed.dedup();
-        self.examine(&renewed);
+        self.examine(&renewed)?;
         self.meter.advance()?;
         Ok(refilled)
     }
@@ -167,9 +169,13 @@ impl<'a> Refiner<'a> {
     }
 
     /// Measures new triangles and puts those of low quality on the worklist.
-    pub(crate) fn examine(&mut self, faces: &[FaceId]) {
+    ///
+    /// # Errors
+    /// When a size is unusable.
+    fn examine(&mut self, faces: &[FaceId]) -> Result<(), Stop> {
         self.records.examine(&self.region, faces.iter().copied());
         self.list(faces);
+        self.records.check_sizes()
     }
 
     /// Lists all triangles of low quality.
@@ -189,7 +195,7 @@ impl<'a> Refiner<'a> {
 
     fn entry(&self, face: FaceId) -> Entry<FaceId> {
         let urgency = match self.urgency {
-            Urgency::WorstRatio => self.records.squared_ratio(face),
+            Urgency::Worst => self.records.badness(face),
             Urgency::ShortestEdge => -self.records.squared_shortest(face),
         };
         Entry {
@@ -251,7 +257,7 @@ impl<'a> Refiner<'a> {
 
     /// Starts a round: takes down the size and quality of the mesh.
     pub(crate) fn begin_round(&mut self) -> &mut Round {
-        let ratios = self.region.faces().map(|f| self.records.ratio(f));
+        let ratios = self.region.faces().map(|f| self.records.quality(f).ratio());
         let low = self.region.faces().filter(|&f| self.records.is_low(f));
         let mut round = Round {
             vertices: self.region.vertex_count(),

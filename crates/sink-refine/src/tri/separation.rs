@@ -7,13 +7,14 @@ use std::f64::consts::PI;
 /// How near vertices are to each other, and how many there can be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Separation2 {
-    /// Length of the shortest edge before. With the boundary kept this is δ: the paper's method never makes a shorter one. Where the
-    /// boundary may be divided δ is an eighth of it.
+    /// Length of the shortest edge before: δ. The paper's method never makes a shorter one, unless the boundary may be divided, when δ is
+    /// an eighth of it, or a smaller size is asked for:
+    /// then none is shorter than 1/√3 times the least size.
     pub given: f64,
     /// Length of the shortest edge after.
     pub reached: f64,
     /// A bound on the number of vertices that are δ apart: 4/(πδ²) times the area grown by δ/2. Infinite where doubles
-    /// run out.
+    /// run out. With sizes asked for, of those that are as far apart as `reached`, if that is less.
     ///
     /// The paper prints 6/(πδ³) and the volume, for space. It is the same packing: disks of radius δ/2 round the vertices
     /// are disjoint, each takes the area πδ²/4, and all are inside the region grown by δ/2.

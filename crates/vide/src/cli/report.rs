@@ -65,6 +65,8 @@ pub(crate) enum Stop {
     OutOfVertices,
     /// Ids are used up.
     OutOfIds,
+    /// Somewhere no size is asked for that is one.
+    UnusableSize,
     /// Somebody stopped it.
     Cancelled,
 }
@@ -76,6 +78,7 @@ impl From<sink_refine::Stop> for Stop {
             sink_refine::Stop::NothingToInsert => Self::NothingToInsert,
             sink_refine::Stop::OutOfVertices => Self::OutOfVertices,
             sink_refine::Stop::OutOfIds => Self::OutOfIds,
+            sink_refine::Stop::UnusableSize(_) => Self::UnusableSize,
             sink_refine::Stop::Cancelled(_) => Self::Cancelled,
         }
     }

@@ -1,7 +1,7 @@
 //! The boundary is divided where it is in the way, beyond the paper, which keeps it.
 //!
 //! What the tests of §5.1 have rejected is tried again, the worst tetrahedron first. A boundary facet is
-//! divided when it is of low quality itself, when it has a candidate inside its diametral sphere, or when the flow leaves through it; but first the
+//! divided when it is of low quality itself or too large, when it has a candidate inside its diametral sphere, or when the flow leaves through it; but first the
 //! [creases](creases) that the new vertex would be too near to. Smooth parts keep their [shape](patch).
 //!
 //! It ends: points inside keep the minimum separation, and points on the boundary a part of the size given there
@@ -13,10 +13,10 @@ mod patch;
 mod split;
 
 use super::flow::{FlowWalk, Successor3, sink};
+use super::low::{large_boundary, skinny_boundary};
 use super::proposal::Rejection3;
 use super::refiner::Refiner;
 use crate::stop::Stop;
-use delaunay_core::measure::facet::radius_edge_ratio;
 use delaunay_core::measure::tetrahedron::circumcenter;
 use delaunay_core::{FacetId, TetId};
 use glam::DVec3;
@@ -70,15 +70,11 @@ impl Cure {
         Ok(false)
     }
 
-    /// Lists the sinks of a tetrahedron and its circumcenter, and the boundary facets of low quality and those the flow leaves through.
+    /// Lists the sinks of a tetrahedron and its circumcenter, and the boundary facets that have to be divided in any case.
     fn list_candidates(&mut self, refiner: &Refiner<'_>, tet: TetId) {
         let (solid, records) = (&refiner.solid, &refiner.records);
-        let is_poor = |f: &FacetId| {
-            let ratio = radius_edge_ratio(solid.triangle(*f));
-            solid.is_boundary(*f) && records.is_low_ratio(ratio * ratio)
-        };
-        self.in_the_way
-            .extend(tet.facets().into_iter().filter(is_poor));
+        self.in_the_way.extend(skinny_boundary(solid, records, tet));
+        self.in_the_way.extend(large_boundary(solid, records, tet));
         let sinks = self.walk.follow(solid, tet, |t| records.flow(t)).iter();
         self.candidates.clear();
         self.candidates.extend(sinks.map(|&s| (sink(solid, s), s)));

@@ -85,15 +85,20 @@ impl Splitter {
         f: FacetId,
         point: DVec3,
     ) -> Result<bool, Stop> {
-        if !self.propose(&refiner.solid, point, &[f]) {
-            return Ok(false);
-        }
-        for edge in self.encroached(&refiner.solid) {
+        let around = match self.propose(refiner, point, &[f]) {
+            true => self.facets_around(&refiner.solid),
+            false => vec![f],
+        };
+        for edge in self.encroached(&refiner.solid, point, around) {
             if self.split_crease(refiner, edge)? {
                 return Ok(true);
             }
         }
-        Ok(self.propose(&refiner.solid, point, &[f]) && self.insert(refiner)?.is_some())
+        let found = self.propose(refiner, point, &[f]);
+        if found {
+            self.insert(refiner)?;
+        }
+        Ok(found)
     }
 
     /// Divides a crease; tells whether it did.
@@ -105,18 +110,17 @@ impl Splitter {
         let solid = &refiner.solid;
         let middle = self.creases.middle(solid, edge);
         let facets = facets_on(solid, edge);
-        if facets.len() != 2 || !self.propose(solid, middle, &facets) {
+        if facets.len() != 2 || !self.propose(refiner, middle, &facets) {
             return Ok(false);
         }
-        let inserted = self.insert(refiner)?;
-        if let Some(vertex) = inserted {
-            self.creases.divide(edge, vertex);
-        }
-        Ok(inserted.is_some())
+        let vertex = self.insert(refiner)?;
+        self.creases.divide(edge, vertex);
+        Ok(true)
     }
 
     /// Finds what has to give way when a point near the facets `first` becomes a vertex of the boundary; tells whether it may.
-    fn propose(&mut self, solid: &Subcomplex3, point: DVec3, first: &[FacetId]) -> bool {
+    fn propose(&mut self, refiner: &Refiner<'_>, point: DVec3, first: &[FacetId]) -> bool {
+        let solid = &refiner.solid;
         if check_point3(0, point).is_err() {
             return false;
         }
@@ -130,7 +134,11 @@ impl Splitter {
             return false;
         }
         self.list_disk(solid);
-        self.keeps_separation(solid)
+        let allowed = first
+            .iter()
+            .map(|f| refiner.records.largest_radius(solid, f.tet()));
+        let least = allowed.fold(self.size(), f64::min) / PARTS;
+        self.keeps_separation(solid, least)
             && self.clearance.is_given(
                 solid,
                 Pull {
@@ -157,9 +165,8 @@ impl Splitter {
         }
     }
 
-    /// Whether the point is far enough from all vertices round it.
-    fn keeps_separation(&self, solid: &Subcomplex3) -> bool {
-        let least = self.size() / PARTS;
+    /// Whether the point is at least so far from all vertices round it.
+    fn keeps_separation(&self, solid: &Subcomplex3, least: f64) -> bool {
         let outer = self.proposal.prestar.boundary().iter();
         let mut round = outer.flat_map(|&f| solid.mesh().facet_vertices(f));
         round.all(|v| v.is_ghost() || solid.point(v).distance(self.proposal.point) >= least)
@@ -171,20 +178,29 @@ impl Splitter {
         round.fold(f64::INFINITY, f64::min)
     }
 
-    /// The creases round the point whose diametral spheres it is inside.
-    fn encroached(&self, solid: &Subcomplex3) -> Vec<[VertexId; 2]> {
+    /// The boundary facets of the prestar and round it.
+    fn facets_around(&self, solid: &Subcomplex3) -> Vec<FacetId> {
         let mesh = solid.mesh();
         let outer = self.proposal.prestar.boundary().iter();
-        let ends_at = outer.filter(|f| mesh.is_ghost_tet(f.tet()) && f.corner() == 3);
-        let facets = ends_at
-            .map(|&f| mesh.twin(f))
-            .chain(self.disk.iter().copied());
-        let edges = facets.flat_map(|f| across_edges(solid, f).map(|(edge, _)| edge));
+        let bases = outer.filter(|f| mesh.is_ghost_tet(f.tet()) && f.corner() == 3);
+        let around = bases.map(|&base| mesh.twin(base));
+        around.chain(self.disk.iter().copied()).collect()
+    }
+
+    /// The creases of boundary facets that have the point inside their diametral spheres or on them.
+    fn encroached(
+        &self,
+        solid: &Subcomplex3,
+        point: DVec3,
+        facets: Vec<FacetId>,
+    ) -> Vec<[VertexId; 2]> {
+        let edges = facets.into_iter().flat_map(|f| across_edges(solid, f));
         let mut encroached: Vec<[VertexId; 2]> = edges
+            .map(|(edge, _)| edge)
             .filter(|&edge| self.creases.contain(edge))
             .filter(|edge| {
                 let [a, b] = edge.map(|v| solid.point(v));
-                in_diametral_sphere(a, b, self.proposal.point) == Sign::Positive
+                in_diametral_sphere(a, b, point) != Sign::Negative
             })
             .map(|[a, b]| [a.min(b), a.max(b)])
             .collect();
@@ -194,10 +210,10 @@ impl Splitter {
     }
 
     /// Inserts the point proposed.
-    fn insert(&mut self, refiner: &mut Refiner<'_>) -> Result<Option<VertexId>, Stop> {
+    fn insert(&mut self, refiner: &mut Refiner<'_>) -> Result<VertexId, Stop> {
         let size = self.size();
         self.clearance.forget(&refiner.solid, &self.disk);
-        let vertex = refiner.insert_on_boundary(&mut self.proposal)?;
+        let vertex = refiner.insert_on_boundary(&mut self.proposal, self.disk[0])?;
         let solid = &refiner.solid;
         self.sizes.resize(solid.points().len(), f64::INFINITY);
         self.sizes[vertex.index()] = size;
@@ -205,7 +221,7 @@ impl Splitter {
         let new = star.filter(|&&t| solid.mesh().is_ghost_tet(t));
         let new = new.map(|ghost| solid.mesh().twin(ghost.facet(3)));
         self.clearance.note(solid, new);
-        Ok(Some(vertex))
+        Ok(vertex)
     }
 }
 

@@ -42,11 +42,11 @@ impl Greedy {
 
     /// Finds the best candidate; tells whether there is one.
     fn choose(&mut self, refiner: &mut Refiner<'_>, tet: TetId) -> bool {
-        let off = OffCenters::of(refiner.solid.tetrahedron(tet));
+        let off = OffCenters::of_tetrahedron(refiner, tet);
         candidates(refiner, &mut self.walk, tet, &off, &mut self.candidates);
         let mut best = f64::NEG_INFINITY;
         for &(point, seed) in &self.candidates {
-            if refiner.propose(point, seed, off.shortest).is_ok() {
+            if refiner.propose(point, seed, off.separation()).is_ok() {
                 let score = score(refiner, tet);
                 if score > best {
                     best = score;

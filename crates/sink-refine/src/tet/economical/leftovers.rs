@@ -6,19 +6,24 @@
 //! 3. The same without the boundary test: then a boundary facet may have a vertex inside its diametral sphere. The boundary
 //!    itself stays in any case.
 //!
+//! Tetrahedra on a boundary facet that is itself larger than their size allows are left as they are.
+//!
 //! Each point lowers the number of low tetrahedra, so there are no more of them than there were leftovers.
 
 use super::super::flow::FlowWalk;
+use super::super::low::large_boundary;
 use super::super::proposal::{Proposal, Rejection3};
 use super::super::refiner::Refiner;
 use super::gain::Gain;
 use super::greedy::candidates;
 use super::off_center::OffCenters;
 use crate::random_points::RandomPoints;
+use crate::stamp::Stamp;
 use crate::stop::Stop;
 use delaunay_core::measure::facet::circumcenter;
 use delaunay_core::{FacetId, TetId};
 use glam::DVec3;
+use rustc_hash::FxHashSet;
 
 /// How often a point slides from one facet to the next.
 const SLIDES: usize = 3;
@@ -61,6 +66,8 @@ struct Cure {
     candidates: Vec<(DVec3, TetId)>,
     best: Proposal,
     best_gain: Gain,
+    /// Those tried that are too large, but not skinny.
+    tried: FxHashSet<(TetId, Stamp)>,
 }
 
 impl Cure {
@@ -71,6 +78,7 @@ impl Cure {
             candidates: Vec::new(),
             best: Proposal::default(),
             best_gain: Gain::default(),
+            tried: FxHashSet::default(),
         }
     }
 
@@ -86,20 +94,34 @@ impl Cure {
 
     /// Inserts the best point for a tetrahedron, or puts the tetrahedron aside.
     fn one(&mut self, refiner: &mut Refiner<'_>, tet: TetId) -> Result<(), Stop> {
+        let stamp = refiner.records.stamp(tet);
+        if !self.is_worth_trying(refiner, tet) {
+            refiner.put_back(tet, stamp, false);
+            return Ok(());
+        }
         self.best_gain = Gain::default();
-        let off = OffCenters::of(refiner.solid.tetrahedron(tet));
+        let off = OffCenters::of_tetrahedron(refiner, tet);
         candidates(refiner, &mut self.walk, tet, &off, &mut self.candidates);
         self.add_random_points(refiner, tet);
         for i in 0..self.candidates.len() {
             let (point, seed) = self.candidates[i];
-            self.slide(refiner, point, seed, off.shortest);
+            self.slide(refiner, point, seed, off.separation());
         }
-        let stamp = refiner.records.stamp(tet);
         if self.best_gain.low < 0 {
             refiner.insert(&mut self.best)?;
         }
         refiner.put_back(tet, stamp, false);
         Ok(())
+    }
+
+    /// Whether a point may cure a tetrahedron.
+    ///
+    /// One whose only defect is its size is tried once: those are many where the boundary is too coarse, and a pass over
+    /// all of them for each point inserted would take long.
+    fn is_worth_trying(&mut self, refiner: &Refiner<'_>, tet: TetId) -> bool {
+        let records = &refiner.records;
+        let first = records.is_skinny(tet) || self.tried.insert((tet, records.stamp(tet)));
+        first && large_boundary(&refiner.solid, records, tet).is_none()
     }
 
     /// Tries a point, and where it slides to.

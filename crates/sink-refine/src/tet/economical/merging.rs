@@ -1,8 +1,8 @@
 //! Two inserted vertices become one.
 //!
 //! Both are removed, and the best point for the tetrahedra of low quality that appear is inserted, or one on the way between
-//! the two. It is kept when there are fewer tetrahedra than before and no more of them of low quality; else
-//! the two come back, and with them, because the triangulation is unique, the tetrahedra that were there.
+//! the two. It is kept when there are fewer tetrahedra than before, no more of them of low quality, and none that
+//! comes is too large; else the two come back, and with them, because the triangulation is unique, the tetrahedra that were there.
 
 use super::super::flow::{FlowWalk, sink};
 use super::super::proposal::Proposal;
@@ -163,7 +163,7 @@ impl Merger {
             if refiner.propose(point, seed, 0.0).is_ok() {
                 let inserted = Gain::of(&refiner.solid, &refiner.records, &refiner.proposal);
                 let gain = removed + inserted;
-                if gain.low <= 0 && gain.tets < self.best_gain.tets {
+                if gain.is_harmless() && gain.tets < self.best_gain.tets {
                     self.best_gain = gain;
                     std::mem::swap(&mut self.best, &mut refiner.proposal);
                 }
@@ -176,13 +176,13 @@ impl Merger {
         let (solid, records) = (&refiner.solid, &refiner.records);
         let mut low: Vec<TetId> = self.made.clone();
         low.retain(|&t| records.is_low(t));
-        let ratio = |t: &TetId| records.squared_ratio(*t);
-        low.sort_by(|s, t| ratio(t).total_cmp(&ratio(s)).then(s.cmp(t)));
+        let badness = |t: &TetId| records.badness(*t);
+        low.sort_by(|s, t| badness(t).total_cmp(&badness(s)).then(s.cmp(t)));
         for &t in low.iter().take(CASES) {
             let corners = solid.tetrahedron(t);
             let sinks = self.walk.follow(solid, t, |t| records.flow(t)).iter();
             self.candidates.extend(sinks.map(|&s| (sink(solid, s), s)));
-            let off = OffCenters::of(corners);
+            let off = OffCenters::of_tetrahedron(refiner, t);
             self.candidates
                 .extend([circumcenter(corners), off.at(0.6, records.bound())].map(|p| (p, t)));
         }

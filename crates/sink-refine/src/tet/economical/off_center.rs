@@ -2,10 +2,16 @@
 //!
 //! They stay near the edge that they cure, so sizes grow away from short edges as fast as the bound allows, and no faster
 //! (after Üngör 2004, in the plane). The open ball round the circumcenter is empty, so no vertex is nearer to an off-center
-//! than its height over the edge: that keeps the minimum separation.
+//! than its height over the edge: that keeps the minimum separation. Where the size asked for allows less than the bound, they
+//! are as near as the size demands, and have to be as far from vertices as the circumradius that it allows.
 
+use super::super::refiner::Refiner;
+use delaunay_core::TetId;
 use delaunay_core::measure::tetrahedron::{EDGES, circumcenter};
 use glam::DVec3;
+
+/// The ratio r/l of the regular triangle: 1/√3.
+const REGULAR: f64 = 0.577_350_269_189_625_8;
 
 /// Where the off-centers of a tetrahedron are.
 #[derive(Clone, Copy, Debug)]
@@ -13,12 +19,21 @@ pub(super) struct OffCenters {
     /// The midpoint of the shortest edge.
     middle: DVec3,
     /// Length of the shortest edge.
-    pub(super) shortest: f64,
+    shortest: f64,
+    /// The largest circumradius that is allowed.
+    largest_radius: f64,
     circumcenter: DVec3,
 }
 
 impl OffCenters {
-    pub(super) fn of(corners: [DVec3; 4]) -> Self {
+    /// Those of a tetrahedron of the mesh.
+    pub(super) fn of_tetrahedron(refiner: &Refiner<'_>, tet: TetId) -> Self {
+        let largest_radius = refiner.records.largest_radius(&refiner.solid, tet);
+        Self::of(refiner.solid.tetrahedron(tet), largest_radius)
+    }
+
+    /// Those of a tetrahedron whose size allows no larger circumradius than `largest_radius`.
+    fn of(corners: [DVec3; 4], largest_radius: f64) -> Self {
         let edges = EDGES.map(|[a, b, ..]| [corners[a], corners[b]]);
         let squared = |[a, b]: [DVec3; 2]| a.distance_squared(b);
         let shorter = |e: [DVec3; 2], f| if squared(f) < squared(e) { f } else { e };
@@ -26,13 +41,21 @@ impl OffCenters {
         Self {
             middle: a.midpoint(b),
             shortest: a.distance(b),
+            largest_radius,
             circumcenter: circumcenter(corners),
         }
     }
 
+    /// The least distance from vertices that points keep: the shortest edge's length, or the largest circumradius allowed, if that
+    /// is less.
+    pub(super) fn separation(&self) -> f64 {
+        self.shortest.min(self.largest_radius)
+    }
+
     /// The off-center at `share` of the height at which it makes with the shortest edge a triangle whose ratio r/l is
-    /// `bound`; the circumcenter where that is nearer.
+    /// `bound`, or less if that is too large; the circumcenter where that is nearer.
     pub(super) fn at(&self, share: f64, bound: f64) -> DVec3 {
+        let bound = bound.min((self.largest_radius / self.shortest).max(REGULAR));
         let height = share * self.shortest * (bound + (bound * bound - 0.25).sqrt());
         let way = self.circumcenter - self.middle;
         match way.length() {
@@ -45,7 +68,7 @@ impl OffCenters {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use delaunay_core::measure::facet::radius_edge_ratio;
+    use delaunay_core::measure::facet::{circumradius, radius_edge_ratio};
 
     /// A needle whose circumcenter is far above its short edge.
     const NEEDLE: [DVec3; 4] = [
@@ -57,15 +80,25 @@ mod tests {
 
     #[test]
     fn the_whole_height_makes_a_triangle_of_the_bound() {
-        let off = OffCenters::of(NEEDLE);
+        let off = OffCenters::of(NEEDLE, f64::INFINITY);
         assert_eq!(off.shortest, 1.0);
         let ratio = radius_edge_ratio([NEEDLE[0], NEEDLE[1], off.at(1.0, 2.0)]);
         assert!((ratio - 2.0).abs() < 1e-12);
     }
 
     #[test]
+    fn where_the_size_allows_less_than_the_bound_the_triangle_is_as_large_as_allowed() {
+        for (largest, expected) in [(0.8, 0.8), (0.1, REGULAR), (9.0, 2.0)] {
+            let off = OffCenters::of(NEEDLE, largest);
+            let radius = circumradius([NEEDLE[0], NEEDLE[1], off.at(1.0, 2.0)]);
+            assert!((radius - expected).abs() < 1e-12, "{radius}");
+            assert_eq!(off.separation(), f64::min(largest, 1.0));
+        }
+    }
+
+    #[test]
     fn no_off_center_is_beyond_the_circumcenter() {
-        let off = OffCenters::of(NEEDLE);
+        let off = OffCenters::of(NEEDLE, f64::INFINITY);
         assert_eq!(off.at(100.0, 2.0), circumcenter(NEEDLE));
     }
 }

@@ -1,6 +1,7 @@
 //! Inserted vertices that are not needed go.
 //!
-//! A vertex may go when its neighbours fill its place with no more tetrahedra and no more of them of low quality.
+//! A vertex may go when its neighbours fill its place with no more tetrahedra, no more of them of low quality, and none
+//! that is too large.
 
 use super::super::refiner::Refiner;
 use super::gain::Gain;
@@ -17,7 +18,7 @@ pub(super) fn run(refiner: &mut Refiner<'_>, given: usize) -> Result<(), Stop> {
             continue;
         };
         let gain = Gain::of_removal(&refiner.solid, &refiner.records, &patch);
-        if gain.low <= 0 && gain.tets <= 0 && refiner.remove(&patch)?.is_some() {
+        if gain.is_harmless() && gain.tets <= 0 && refiner.remove(&patch)?.is_some() {
             let around = patch.made().iter().flatten();
             waiting.extend(around.filter(|v| v.index() >= given));
         }

@@ -1,6 +1,6 @@
 //! The boundary is divided where it is in the way, beyond the paper, which keeps it.
 //!
-//! What the tests of §5.1 have rejected is tried again, the worst triangle first. A boundary edge is divided when it has a candidate
+//! What the tests of §5.1 have rejected is tried again, the worst triangle first. A boundary edge is divided when it is too long for the size asked for, when it has a candidate
 //! inside its diametral circle, or when the flow leaves through it. Smooth parts keep their [shape](curve).
 //!
 //! It ends: points inside keep the minimum separation, and points on the boundary a part of the size given there
@@ -11,6 +11,7 @@ mod curve;
 mod split;
 
 use super::flow::{path, sink_triangle};
+use super::low::long_edge;
 use super::proposal::Rejection2;
 use super::refiner::{Refiner, Urgency};
 use crate::stop::Stop;
@@ -30,7 +31,7 @@ pub(crate) fn run(refiner: &mut Refiner<'_>, crease: f64) -> Result<(), Stop> {
         candidates: Vec::new(),
         in_the_way: Vec::new(),
     };
-    refiner.reorder(Urgency::WorstRatio);
+    refiner.reorder(Urgency::default());
     refiner.in_passes(|refiner, face| cure.one(refiner, face))
 }
 
@@ -65,9 +66,10 @@ impl Cure {
         Ok(false)
     }
 
-    /// Lists the sink of a triangle and its circumcenter, and the boundary edge that the flow leaves through.
+    /// Lists the sink of a triangle and its circumcenter, and the boundary edges that have to be divided in any case.
     fn list_candidates(&mut self, refiner: &Refiner<'_>, face: FaceId) {
         let (region, records) = (&refiner.region, &refiner.records);
+        self.in_the_way.extend(long_edge(region, records, face));
         self.candidates.clear();
         match sink_triangle(region.mesh(), face, |f| records.exit(f)) {
             Some(f) => self.candidates.push((circumcenter(region.triangle(f)), f)),

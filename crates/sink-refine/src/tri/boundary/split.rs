@@ -47,7 +47,7 @@ impl Splitter {
         let region = &refiner.region;
         let ends = region.segment(h);
         let point = divide(region, h, self.smooth);
-        if !self.propose(region, h, point) {
+        if !self.propose(refiner, h, point) {
             return Ok(false);
         }
         let size = self.size(region, h);
@@ -60,17 +60,19 @@ impl Splitter {
     }
 
     /// Finds what has to give way when a point becomes a vertex on a boundary edge; tells whether it may.
-    fn propose(&mut self, region: &Subcomplex2, h: HalfEdgeId, point: DVec2) -> bool {
+    fn propose(&mut self, refiner: &Refiner<'_>, h: HalfEdgeId, point: DVec2) -> bool {
+        let region = &refiner.region;
+        let allowed = refiner.records.largest_radius(region, h.face());
+        let least = self.size(region, h).min(allowed) / PARTS;
         self.proposal.point = point;
         check_point2(0, point).is_ok()
             && region.dig_on(point, h, &mut self.proposal.prestar)
-            && self.keeps_separation(region, h)
+            && self.keeps_separation(region, least)
             && self.clearance.is_given(region, h, point)
     }
 
-    /// Whether the point is far enough from all vertices round it.
-    fn keeps_separation(&self, region: &Subcomplex2, h: HalfEdgeId) -> bool {
-        let least = self.size(region, h) / PARTS;
+    /// Whether the point is at least so far from all vertices round it.
+    fn keeps_separation(&self, region: &Subcomplex2, least: f64) -> bool {
         let mut round = self.proposal.prestar.vertices();
         round.all(|v| v.is_ghost() || region.point(v).distance(self.proposal.point) >= least)
     }

@@ -29,12 +29,12 @@ fn insert_for(
     candidates: &mut Vec<(DVec2, FaceId)>,
     face: FaceId,
 ) -> Result<(), Stop> {
-    let off = OffCenters::of(refiner.region.triangle(face));
+    let off = OffCenters::of_triangle(refiner, face);
     list_candidates(refiner, face, &off, candidates);
     let stamp = refiner.records.stamp(face);
     let mut candidates = candidates.iter();
     let passes =
-        |&(point, seed): &(DVec2, FaceId)| refiner.propose(point, seed, off.shortest).is_ok();
+        |&(point, seed): &(DVec2, FaceId)| refiner.propose(point, seed, off.separation()).is_ok();
     let found = candidates.any(passes);
     if found {
         refiner.insert_proposed()?;

@@ -1,7 +1,7 @@
 //! What inserting a point, or another exchange of triangles, would do to the mesh.
 
 use super::super::proposal::Proposal;
-use super::super::records::{Records, squared_ratio};
+use super::super::records::Records;
 use delaunay_core::{FaceId, Patch2, Subcomplex2};
 use glam::DVec2;
 use std::ops::Add;
@@ -11,42 +11,47 @@ use std::ops::Add;
 pub(super) struct Gain {
     /// More triangles of low quality.
     pub(super) low: isize,
-    /// More of the sum of the logarithms of (r/l)² over its bound, over triangles of low quality.
+    /// More of the sum of the logarithms of (r/l)² over its bound, over triangles of low quality; of those that are worse for
+    /// their size, of r² over its bound.
     pub(super) excess: f64,
-    /// The largest (r/l)² of the triangles that come.
+    /// The largest (r/l)² of the triangles that come, or what is as bad for their size.
     pub(super) worst: f64,
+    /// The square of the largest size, circumradius over that allowed, of the triangles that come last.
+    largest: f64,
 }
 
 impl Gain {
     /// What inserting the point would do.
-    pub(super) fn of(region: &Subcomplex2, records: &Records, proposal: &Proposal) -> Self {
+    pub(super) fn of(region: &Subcomplex2, records: &Records<'_>, proposal: &Proposal) -> Self {
         let mut gain = Self::default();
-        for &f in proposal.prestar.faces() {
+        let gone = proposal.prestar.faces();
+        for &f in gone {
             gain.take(records, f);
         }
         for edge in proposal.prestar.rim() {
             let [b, a] = region.segment(edge.outer);
-            gain.make(records, [proposal.point, a, b]);
+            gain.make(records, [proposal.point, a, b], gone);
         }
         gain
     }
 
     /// What removing the vertex of a patch would do.
-    pub(super) fn of_removal(region: &Subcomplex2, records: &Records, patch: &Patch2) -> Self {
+    pub(super) fn of_removal(region: &Subcomplex2, records: &Records<'_>, patch: &Patch2) -> Self {
         let mut gain = Self::default();
-        for &f in patch.star() {
+        let gone = patch.star();
+        for &f in gone {
             gain.take(records, f);
         }
         for corners in patch.made() {
-            gain.make(records, corners.map(|v| region.point(v)));
+            gain.make(records, corners.map(|v| region.point(v)), gone);
         }
         gain
     }
 
-    /// Whether no more triangles are of low quality, and as many are not worse on the whole.
+    /// Whether no more triangles are of low quality, as many are not worse on the whole, and none that comes is too large.
     pub(super) fn is_harmless(&self) -> bool {
         // What comes and goes in between leaves some rounding.
-        (self.low, self.excess) <= (0, 1e-12)
+        (self.low, self.excess) <= (0, 1e-12) && self.largest <= 1.0
     }
 
     /// Whether it leaves fewer triangles of low quality than `other` does, or as many and better ones.
@@ -55,20 +60,21 @@ impl Gain {
     }
 
     /// Counts a triangle that goes.
-    fn take(&mut self, records: &Records, f: FaceId) {
+    fn take(&mut self, records: &Records<'_>, f: FaceId) {
         if records.is_low(f) {
             self.low -= 1;
-            self.excess -= records.excess(records.squared_ratio(f));
+            self.excess -= records.quality(f).excess(records.bound());
         }
     }
 
-    /// Counts a triangle that comes.
-    fn make(&mut self, records: &Records, corners: [DVec2; 3]) {
-        let squared = squared_ratio(corners);
-        self.worst = self.worst.max(squared);
-        if records.is_low_ratio(squared) {
+    /// Counts a triangle that comes in the place of those gone.
+    fn make(&mut self, records: &Records<'_>, corners: [DVec2; 3], gone: &[FaceId]) {
+        let quality = records.measure(corners, gone);
+        self.worst = self.worst.max(quality.badness(records.bound()));
+        self.largest = self.largest.max(quality.squared_size);
+        if quality.is_low(records.bound()) {
             self.low += 1;
-            self.excess += records.excess(squared);
+            self.excess += quality.excess(records.bound());
         }
     }
 }
@@ -80,6 +86,7 @@ impl Add for Gain {
         Self {
             low: self.low + other.low,
             excess: self.excess + other.excess,
+            largest: other.largest,
             worst: self.worst.max(other.worst),
         }
     }

@@ -6,17 +6,22 @@
 //! 3. The same without the boundary test: then a boundary edge may have a vertex inside its diametral circle. The boundary
 //!    itself stays in any case.
 //!
+//! Triangles on a boundary edge that is itself larger than their size allows are left as they are.
+//!
 //! Each point lowers the number of low triangles, so there are no more of them than there were leftovers.
 
+use super::super::low::long_edge;
 use super::super::proposal::{Proposal, Rejection2};
 use super::super::refiner::Refiner;
 use super::cascade::list_candidates;
 use super::gain::Gain;
 use super::off_center::OffCenters;
 use crate::random_points::RandomPoints;
+use crate::stamp::Stamp;
 use crate::stop::Stop;
 use delaunay_core::{FaceId, HalfEdgeId};
 use glam::DVec2;
+use rustc_hash::FxHashSet;
 
 /// How often a point slides from one edge to the next.
 const SLIDES: usize = 3;
@@ -57,6 +62,8 @@ struct Cure {
     candidates: Vec<(DVec2, FaceId)>,
     best: Proposal,
     best_gain: Gain,
+    /// Those tried that are too large, but not skinny.
+    tried: FxHashSet<(FaceId, Stamp)>,
 }
 
 impl Cure {
@@ -66,6 +73,7 @@ impl Cure {
             candidates: Vec::new(),
             best: Proposal::default(),
             best_gain: Gain::default(),
+            tried: FxHashSet::default(),
         }
     }
 
@@ -81,20 +89,34 @@ impl Cure {
 
     /// Inserts the best point for a triangle, or puts the triangle aside.
     fn one(&mut self, refiner: &mut Refiner<'_>, face: FaceId) -> Result<(), Stop> {
+        let stamp = refiner.records.stamp(face);
+        if !self.is_worth_trying(refiner, face) {
+            refiner.put_back(face, stamp, false);
+            return Ok(());
+        }
         self.best_gain = Gain::default();
-        let off = OffCenters::of(refiner.region.triangle(face));
+        let off = OffCenters::of_triangle(refiner, face);
         list_candidates(refiner, face, &off, &mut self.candidates);
         self.add_random_points(refiner, face);
         for i in 0..self.candidates.len() {
             let (point, seed) = self.candidates[i];
-            self.slide(refiner, point, seed, off.shortest);
+            self.slide(refiner, point, seed, off.separation());
         }
-        let stamp = refiner.records.stamp(face);
         if self.best_gain.low < 0 {
             refiner.insert(&mut self.best)?;
         }
         refiner.put_back(face, stamp, false);
         Ok(())
+    }
+
+    /// Whether a point may cure a triangle.
+    ///
+    /// One whose only defect is its size is tried once: those are many where the boundary is too coarse, and a pass over
+    /// all of them for each point inserted would take long.
+    fn is_worth_trying(&mut self, refiner: &Refiner<'_>, face: FaceId) -> bool {
+        let records = &refiner.records;
+        let first = records.is_skinny(face) || self.tried.insert((face, records.stamp(face)));
+        first && long_edge(&refiner.region, records, face).is_none()
     }
 
     /// Tries a point, and where it slides to.

@@ -1,8 +1,8 @@
 //! Two inserted vertices become one.
 //!
 //! Both are removed, and the best point for the triangles of low quality that appear is inserted, or one on the way between
-//! the two. It is kept when no more triangles are of low quality than before, nor worse ones; there are two less then. Else
-//! the two come back, and with them, because the triangulation is unique, the triangles that were there.
+//! the two. It is kept when no more triangles are of low quality than before, nor worse ones, and
+//! none that comes is too large; there are two less then. Else the two come back, and with them, because the triangulation is unique, the triangles that were there.
 
 use super::super::flow::sink_triangle;
 use super::super::proposal::Proposal;
@@ -153,13 +153,13 @@ impl Merger {
         let (region, records) = (&refiner.region, &refiner.records);
         let mut low: Vec<FaceId> = self.made.clone();
         low.retain(|&f| records.is_low(f));
-        let ratio = |f: &FaceId| records.squared_ratio(*f);
-        low.sort_by(|f, g| ratio(g).total_cmp(&ratio(f)).then(f.cmp(g)));
+        let badness = |f: &FaceId| records.badness(*f);
+        low.sort_by(|f, g| badness(g).total_cmp(&badness(f)).then(f.cmp(g)));
         for &f in low.iter().take(CASES) {
             let end = sink_triangle(region.mesh(), f, |f| records.exit(f));
             self.candidates.extend(end.map(|s| (sink(region, s), s)));
             let corners = region.triangle(f);
-            let off = OffCenters::of(corners).at(SHARE, records.bound());
+            let off = OffCenters::of_triangle(refiner, f).at(SHARE, records.bound());
             self.candidates
                 .extend([circumcenter(corners), off].map(|p| (p, f)));
         }

@@ -1,6 +1,7 @@
 //! Inserted vertices that are not needed go.
 //!
-//! A vertex may go when no more triangles of low quality fill its place, nor worse ones. It takes two triangles with it.
+//! A vertex may go when no more triangles of low quality fill its place, nor worse ones, nor any that is too
+//! large. It takes two triangles with it.
 
 use super::super::refiner::Refiner;
 use super::gain::Gain;

@@ -3,6 +3,7 @@
 mod method;
 mod plane;
 mod report;
+mod size;
 mod solid;
 
 use std::path::{Path, PathBuf};
@@ -35,6 +36,10 @@ pub(crate) struct RefineArgs {
     /// the plane 1]
     #[arg(long, value_name = "R")]
     ratio: Option<f64>,
+    /// Elements whose circumradius is more than that of the regular one with edges of length H are too large and refined too; the
+    /// number of elements grows as 1/H³, in the plane as 1/H². Areas that limit regions of a .poly are obeyed as well
+    #[arg(long, value_name = "H", value_parser = size::parse)]
+    size: Option<f64>,
     /// Which points to insert
     #[arg(long, value_enum, default_value_t = method::Candidate::Economical)]
     candidate: method::Candidate,

@@ -6,10 +6,10 @@ use vide::convert::region_mesh;
 use vide::delaunay_core::{Outline, Subcomplex2, VertexId};
 use vide::glam::DVec2;
 use vide::mesh_io::{Cell, Mesh, PlanarGraph};
-use vide::sink_refine::{Outcome2, Params, refine2};
+use vide::sink_refine::{Outcome2, Params, Sizing, refine2_sized};
 
 use super::report::of_region;
-use super::{RefineArgs, Refined};
+use super::{RefineArgs, Refined, size};
 use crate::cli::Common;
 use crate::cli::failure::Failure;
 use crate::cli::progress::Watch;
@@ -50,11 +50,19 @@ pub(super) fn refine(
 ) -> Result<Refined, Failure> {
     let region = watch.stage("triangulate", |watch| triangulate(args, outline, watch))?;
     let before = [region.vertex_count(), region.faces().count()];
+    let limits = size::of_regions(outline);
+    let field = args.size.map(|size| move |_: DVec2| size);
+    let sizing = Sizing {
+        field: field.as_ref().map(|field| field as _),
+        regions: &limits,
+    };
     let outcome = watch.stage("refine", |watch| {
-        refine2(region, params, &mut |progress| watch.report(progress))
+        refine2_sized(region, params, &sizing, &mut |progress| {
+            watch.report(progress)
+        })
     });
     let outcome = outcome.map_err(|error| failed(args, error))?;
-    Ok(watch.stage("sort", |_| refined(params, before, &outcome)))
+    Ok(watch.stage("sort", |_| refined(args, params, before, &outcome)))
 }
 
 fn triangulate(
@@ -73,13 +81,13 @@ fn triangulate(
     Ok(Subcomplex2::of(region.delaunay(), |f| region.is_inside(f)))
 }
 
-fn refined(params: &Params, before: [usize; 2], outcome: &Outcome2) -> Refined {
+fn refined(args: &RefineArgs, params: &Params, before: [usize; 2], outcome: &Outcome2) -> Refined {
     let (mesh, faces) = region_mesh(&outcome.region);
     let report = Report {
         dimension: Some(2),
         vertices: mesh.points.len(),
         elements: mesh.cells.len(),
-        refinement: Some(of_region(params, before, outcome, &faces)),
+        refinement: Some(of_region(params, args.size, before, outcome, &faces)),
         stop: outcome.stop.into(),
         ..Report::default()
     };

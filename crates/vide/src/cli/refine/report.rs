@@ -24,6 +24,9 @@ pub(crate) struct Refinement {
     coarsen: Option<&'static str>,
     /// Elements with a larger one are of low quality.
     ratio: f64,
+    /// The length of edges asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    size: Option<f64>,
     given_vertices: usize,
     given_elements: usize,
     points: Points,
@@ -72,6 +75,8 @@ impl From<Separation2> for Separation {
 #[derive(Default, Serialize)]
 struct LowLeft {
     count: usize,
+    /// Those that are too large.
+    too_large: usize,
     /// How often each reason.
     reasons: BTreeMap<Reason, usize>,
     /// The worst first.
@@ -83,6 +88,9 @@ struct LowElement {
     /// As the files written count cells, from 0.
     element: usize,
     ratio: f64,
+    /// Circumradius over the largest allowed, where a size is asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    size: Option<f64>,
     reason: Reason,
     /// Vertices of the boundary triangle, edge or corner that is to blame.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -95,6 +103,7 @@ struct LowElement {
 enum Reason {
     BoundaryTriangle,
     BoundaryAngle,
+    BoundaryEdge,
     Encroaches,
     Outside,
     NotReached,
@@ -103,6 +112,7 @@ enum Reason {
 /// The report of a solid refined from so many vertices and tetrahedra, whose tetrahedra are written in the order of `tets`.
 pub(super) fn of_solid(
     params: &Params,
+    size: Option<f64>,
     given: [usize; 2],
     outcome: &Outcome3,
     tets: &[TetId],
@@ -110,6 +120,7 @@ pub(super) fn of_solid(
     let low = outcome.low.iter().map(|low| LowElement {
         element: place(tets, low.tet),
         ratio: low.ratio,
+        size: (low.size > 0.0).then_some(low.size),
         reason: low.reason.into(),
         boundary: match low.reason {
             Reason3::BoundaryTriangle(f) | Reason3::Encroaches(f) => {
@@ -121,6 +132,7 @@ pub(super) fn of_solid(
     let low = LowLeft::of(low);
     Refinement::new(
         params,
+        size,
         given,
         outcome.counters,
         outcome.separation.into(),
@@ -132,6 +144,7 @@ pub(super) fn of_solid(
 /// `faces`.
 pub(super) fn of_region(
     params: &Params,
+    size: Option<f64>,
     given: [usize; 2],
     outcome: &Outcome2,
     faces: &[FaceId],
@@ -140,16 +153,20 @@ pub(super) fn of_region(
     let low = outcome.low.iter().map(|low| LowElement {
         element: place(faces, low.face),
         ratio: low.ratio,
+        size: (low.size > 0.0).then_some(low.size),
         reason: low.reason.into(),
         boundary: match low.reason {
             Reason2::BoundaryAngle(v) => numbers([v]),
-            Reason2::Encroaches(h) => numbers([mesh.origin(h), mesh.target(h)]),
+            Reason2::BoundaryEdge(h) | Reason2::Encroaches(h) => {
+                numbers([mesh.origin(h), mesh.target(h)])
+            }
             Reason2::Outside | Reason2::NotReached => Vec::new(),
         },
     });
     let low = LowLeft::of(low);
     Refinement::new(
         params,
+        size,
         given,
         outcome.counters,
         outcome.separation.into(),
@@ -157,9 +174,13 @@ pub(super) fn of_region(
     )
 }
 
-/// Vertices of the boundary are given ones, which keep their numbers.
-fn numbers<const N: usize>(vertices: [VertexId; N]) -> Vec<usize> {
-    vertices.map(VertexId::index).to_vec()
+/// The numbers of vertices in the files written, where those that are not there have none.
+fn numbers<const N: usize>(
+    vertices: [VertexId; N],
+    is_there: impl Fn(VertexId) -> bool,
+) -> Vec<usize> {
+    let before = |v: VertexId| (0..v.index()).map(VertexId::new);
+    vertices.map(|v| before(v).filter(|&v| is_there(v)).count()).to_vec()
 }
 
 fn place<I: Copy + PartialEq>(order: &[I], id: I) -> usize {
@@ -169,6 +190,7 @@ fn place<I: Copy + PartialEq>(order: &[I], id: I) -> usize {
 impl Refinement {
     fn new(
         params: &Params,
+        size: Option<f64>,
         [given_vertices, given_elements]: [usize; 2],
         counters: Counters,
         separation: Separation,
@@ -180,6 +202,7 @@ impl Refinement {
             schedule,
             coarsen,
             ratio: params.ratio,
+            size,
             given_vertices,
             given_elements,
             points: Points {
@@ -229,6 +252,7 @@ impl LowLeft {
         let mut left = Self::default();
         for element in elements {
             left.count += 1;
+            left.too_large += usize::from(element.size.is_some_and(|size| size > 1.0));
             *left.reasons.entry(element.reason).or_default() += 1;
             if left.worst.len() < LISTED {
                 left.worst.push(element);
@@ -253,6 +277,7 @@ impl From<Reason2> for Reason {
     fn from(reason: Reason2) -> Self {
         match reason {
             Reason2::BoundaryAngle(_) => Self::BoundaryAngle,
+            Reason2::BoundaryEdge(_) => Self::BoundaryEdge,
             Reason2::Encroaches(_) => Self::Encroaches,
             Reason2::Outside => Self::Outside,
             Reason2::NotReached => Self::NotReached,
@@ -266,6 +291,7 @@ impl Reason {
         match self {
             Self::BoundaryTriangle => "on a boundary triangle that is above it",
             Self::BoundaryAngle => "in an angle of the boundary that is too small",
+            Self::BoundaryEdge => "on an edge of the boundary that is too long",
             Self::Encroaches => "whose points are too near to the boundary",
             Self::Outside => "whose points are outside",
             Self::NotReached => "not reached",
@@ -293,6 +319,7 @@ pub(super) fn summary(report: &Report) -> String {
         points,
         low,
         ratio,
+        size,
         ..
     }) = &report.refinement
     else {
@@ -305,6 +332,7 @@ pub(super) fn summary(report: &Report) -> String {
     let ended = match report.stop {
         Stop::OutOfVertices => "; no more vertices may be added",
         Stop::OutOfIds => "; there are no more numbers for vertices and elements",
+        Stop::UnusableSize => "; there is no size somewhere",
         Stop::Cancelled => "; cancelled",
         Stop::Finished | Stop::AllGood | Stop::NothingToInsert => "",
     };
@@ -313,9 +341,17 @@ pub(super) fn summary(report: &Report) -> String {
         .iter()
         .map(|(r, n)| format!("{n} {}", r.words()))
         .collect();
+    let or_size = match (size, low.too_large) {
+        (Some(size), _) => format!(" or the size {size}"),
+        (None, 0) => String::new(),
+        (None, _) => " or the size of a region".to_owned(),
+    };
     let left = match low.count {
-        0 => format!("no {element} above the ratio {ratio}"),
-        count => format!("{count} above the ratio {ratio}: {}", reasons.join(", ")),
+        0 => format!("no {element} above the ratio {ratio}{or_size}"),
+        count => format!(
+            "{count} above the ratio {ratio}{or_size}: {}",
+            reasons.join(", ")
+        ),
     };
     text + &left + ended + "\n\n"
 }

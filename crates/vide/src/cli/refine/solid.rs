@@ -4,8 +4,9 @@ use std::fmt::Display;
 
 use vide::convert::solid_mesh;
 use vide::delaunay_core::Subcomplex3;
+use vide::glam::DVec3;
 use vide::mesh_io::Mesh;
-use vide::sink_refine::{Outcome3, Params, refine3};
+use vide::sink_refine::{Outcome3, Params, Sizing, refine3_sized};
 use vide::solid::GivenSolid;
 
 use super::report::of_solid;
@@ -26,11 +27,18 @@ pub(super) fn refine(
 ) -> Result<Refined, Failure> {
     let solid = watch.stage("triangulate", |watch| tetrahedralize(args, given, watch))?;
     let before = [solid.vertex_count(), solid.tets().count()];
+    let field = args.size.map(|size| move |_: DVec3| size);
+    let sizing = Sizing {
+        field: field.as_ref().map(|field| field as _),
+        regions: &[],
+    };
     let outcome = watch.stage("refine", |watch| {
-        refine3(solid, params, &mut |progress| watch.report(progress))
+        refine3_sized(solid, params, &sizing, &mut |progress| {
+            watch.report(progress)
+        })
     });
     let outcome = outcome.map_err(|error| failed(args, error))?;
-    Ok(watch.stage("sort", |_| refined(params, before, &outcome)))
+    Ok(watch.stage("sort", |_| refined(args, params, before, &outcome)))
 }
 
 fn tetrahedralize(
@@ -44,13 +52,13 @@ fn tetrahedralize(
     solid.map_err(|error| failed(args, error))
 }
 
-fn refined(params: &Params, before: [usize; 2], outcome: &Outcome3) -> Refined {
+fn refined(args: &RefineArgs, params: &Params, before: [usize; 2], outcome: &Outcome3) -> Refined {
     let (mesh, tets) = solid_mesh(&outcome.solid);
     let report = Report {
         dimension: Some(3),
         vertices: mesh.points.len(),
         elements: mesh.cells.len(),
-        refinement: Some(of_solid(params, before, outcome, &tets)),
+        refinement: Some(of_solid(params, args.size, before, outcome, &tets)),
         stop: outcome.stop.into(),
         ..Report::default()
     };
