@@ -24,8 +24,11 @@ pub struct Round {
     pub elements: usize,
     /// Elements of low quality, those that are too large included.
     pub low: usize,
-    /// Different candidates of those elements: their sinks, or circumcenters.
+    /// Different candidates of those elements: their sinks, or circumcenters, also those that fail the boundary test.
     pub candidates: usize,
+    /// Those of the candidates that pass the boundary test (§5.2): all of them in blocks in the plane. Else those that are tested,
+    /// which are at least the points inserted; where there is no room for a candidate its prestar is not searched to the end.
+    pub passed: usize,
     /// Points inserted: those of the block, or of the independent subset.
     pub inserted: usize,
     /// Smallest r/l of an element.

@@ -472,3 +472,55 @@ fn options_of_another_method_are_wrong_usage() {
     });
     insta::assert_snapshot!(said.concat());
 }
+
+#[test]
+fn a_boundary_that_may_be_divided_leaves_nothing_of_low_quality() {
+    let folder = Folder::with(&[
+        ("usa.poly", USA),
+        ("tetrahedron.off", TETRAHEDRON.as_bytes()),
+    ]);
+    let said = run(
+        &folder,
+        "refine usa.poly -o usa.vtu --boundary split --report usa.json",
+    );
+    assert!(said.contains("on the boundary"), "{said}");
+    let report = json(&folder, "usa.json");
+    assert_eq!(report["stop"], "all_good");
+    assert_eq!(report["refinement"]["boundary"], "split");
+    assert!(
+        report["refinement"]["points"]["on_boundary"]
+            .as_u64()
+            .unwrap()
+            > 0
+    );
+
+    run(
+        &folder,
+        "refine tetrahedron.off -o fine.vtu --boundary split --size 0.7 --report fine.json",
+    );
+    let fine = read(&folder, "fine.vtu");
+    assert!(worst_ratio(&fine) <= 2.0 + 1e-9);
+    let volume: f64 = tetrahedra(&fine)
+        .into_iter()
+        .map(|corners| signed_volume(places(&fine, corners)))
+        .sum();
+    assert!((volume - 64.0 / 6.0).abs() < 1e-9);
+    assert_eq!(json(&folder, "fine.json")["stop"], "all_good");
+}
+
+#[test]
+fn a_crease_angle_needs_a_boundary_that_may_be_divided() {
+    let folder = Folder::with(&[("usa.poly", USA)]);
+    for (options, status) in [("--crease 30", 2), ("--boundary split --crease 200", 1)] {
+        let arguments = format!("refine usa.poly -o usa.vtu {options}");
+        let output = folder.vide(&arguments.split(' ').collect::<Vec<_>>());
+        assert_eq!(
+            output.status.code(),
+            Some(status),
+            "{}",
+            text(&output.stderr)
+        );
+        assert!(text(&output.stderr).contains("crease"));
+        assert!(!folder.path("usa.vtu").exists());
+    }
+}

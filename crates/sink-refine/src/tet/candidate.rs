@@ -75,7 +75,7 @@ impl Candidates {
         sites.filter(|site| !self.is_rejected(site))
     }
 
-    /// The candidates of all tetrahedra of low quality, each once; those of the worst tetrahedra first.
+    /// The candidates of all tetrahedra of low quality, rejected or not, each once; those of the worst tetrahedra first.
     pub(crate) fn all(&mut self, solid: &Subcomplex3, records: &Records<'_>) -> Vec<Site> {
         let mut found = match self.kind {
             Candidate::Sink => self.watersheds.sinks(solid, records),
@@ -83,7 +83,7 @@ impl Candidates {
         };
         found.par_sort_unstable_by(|(s, r), (t, q)| q.total_cmp(r).then(s.cmp(t)));
         let sites = found.into_iter().map(|(tet, _)| Site::of(tet, records));
-        sites.filter(|site| !self.is_rejected(site)).collect()
+        sites.collect()
     }
 
     pub(crate) fn reject(&mut self, site: Site) {
@@ -94,7 +94,7 @@ impl Candidates {
         self.rejected[index] = Some(site.stamp);
     }
 
-    fn is_rejected(&self, site: &Site) -> bool {
+    pub(crate) fn is_rejected(&self, site: &Site) -> bool {
         self.rejected.get(site.tet.index()) == Some(&Some(site.stamp))
     }
 }

@@ -139,10 +139,13 @@ impl FlowWalk {
     fn start(&mut self, slots: usize) {
         self.passed.clear();
         self.walks = self.walks.wrapping_add(1);
-        if self.walks == 0 || self.seen.len() < slots {
-            self.seen.clear();
-            self.seen.resize(slots, 0);
+        if self.walks == 0 {
+            self.seen.fill(0);
             self.walks = 1;
+        }
+        // Every insertion brings new slots: what is known of the others stays, else each walk would take time for the whole mesh.
+        if self.seen.len() < slots {
+            self.seen.resize(slots, 0);
         }
     }
 

@@ -51,23 +51,28 @@ impl Candidates {
         records: &Records<'_>,
         f: FaceId,
     ) -> Option<Site> {
+        let site = self.any_of(region, records, f)?;
+        (!self.is_rejected(&site)).then_some(site)
+    }
+
+    /// The candidate of a triangle, rejected or not, unless the flow leaves.
+    fn any_of(&self, region: &Subcomplex2, records: &Records<'_>, f: FaceId) -> Option<Site> {
         let face = match self.kind {
             Candidate::Circumcenter => f,
             Candidate::Sink => sink_triangle(region.mesh(), f, |f| records.exit(f))?,
         };
         let stamp = records.stamp(face);
-        let site = Site { face, stamp };
-        (!self.is_rejected(&site)).then_some(site)
+        Some(Site { face, stamp })
     }
 
-    /// The candidates of all triangles of low quality, each once; those of the worst triangles first.
+    /// The candidates of all triangles of low quality, rejected or not, each once; those of the worst triangles first.
     pub(crate) fn all(&self, region: &Subcomplex2, records: &Records<'_>) -> Vec<Site> {
         let faces = 0..records.slots();
         let found: Vec<(Site, f64)> = faces
             .into_par_iter()
             .map(FaceId::new)
             .filter(|&f| records.is_low(f))
-            .filter_map(|f| Some((self.of(region, records, f)?, records.badness(f))))
+            .filter_map(|f| Some((self.any_of(region, records, f)?, records.badness(f))))
             .collect();
         let mut worst = vec![0.0_f64; records.slots()];
         let mut sites = Vec::new();
@@ -91,7 +96,7 @@ impl Candidates {
         self.rejected[index] = Some(site.stamp);
     }
 
-    fn is_rejected(&self, site: &Site) -> bool {
+    pub(crate) fn is_rejected(&self, site: &Site) -> bool {
         self.rejected.get(site.face.index()) == Some(&Some(site.stamp))
     }
 }

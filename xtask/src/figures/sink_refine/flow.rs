@@ -1,4 +1,4 @@
-//! The flow of figure 4 and the sinks of figure 2, on a triangulation of our own.
+//! The flow between triangles and its sinks (§3.2, §3.3), on a triangulation of our own.
 
 use std::cmp::Reverse;
 

@@ -3,15 +3,50 @@
 mod classes;
 mod cut;
 mod flow;
+mod flowers;
+mod graph_of_phi;
 mod graphs;
+mod level_sets;
+mod relation;
 mod report;
 mod solids;
 mod usa;
+mod watersheds;
 
 use super::Figure;
 
-/// The flow and its sinks, and figures 6 to 11.
+/// Figures 1 to 11, and the flow and its sinks on a triangulation of our own.
 pub const FIGURES: &[Figure] = &[
+    Figure {
+        name: "sinks_fig01_level_sets",
+        caption: "Level sets of the square distances π, to the nearest point, and φ, to the nearest Delaunay circle, over the Voronoi \
+                  diagram and the Delaunay triangulation. The lighter, the larger. The maxima of one are the minima of the other.",
+        render: level_sets::figure,
+    },
+    Figure {
+        name: "sinks_fig02_usa_sinks",
+        caption: "The outline of the contiguous United States: triangles that contain their circumcentres are grey, the centres are the \
+                  sinks. Bold edges bound the ancestor sets, the triangles from which the flow runs to one sink.",
+        render: watersheds::figure,
+    },
+    Figure {
+        name: "sinks_fig03_graph",
+        caption: "The graph of φ over the same triangles, upside down: over each a piece of a paraboloid. The tops of the hills are the \
+                  sinks.",
+        render: graph_of_phi::figure,
+    },
+    Figure {
+        name: "sinks_fig04_relation",
+        caption: "A triangle precedes its neighbour when its circumcentre lies beyond their common edge; beyond an edge of the hull it \
+                  precedes the dummy element outside.",
+        render: relation::figure,
+    },
+    Figure {
+        name: "sinks_fig05_flowers",
+        caption: "The triangles whose circumcircles contain a point are its prestar, which becomes its star; their discs together are the \
+                  flowers. That of the star is the larger.",
+        render: flowers::figure,
+    },
     Figure {
         name: "sinks_flow",
         caption: "From a triangle that does not contain its circumcentre the flow runs towards it, into the next triangle; it ends in \

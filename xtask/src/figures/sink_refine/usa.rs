@@ -4,10 +4,11 @@ use std::error::Error;
 
 use delaunay_core::measure::triangle::radius_edge_ratio;
 use delaunay_core::progress::silent;
-use delaunay_core::{BuildOptions, Outline, Subcomplex2, VertexId};
+use delaunay_core::{BuildOptions, Outline, Region, Subcomplex2, VertexId};
 use fixtures::outlines;
 use glam::DVec2;
 use mesh_io::svg::{Color, Panel, Picture, Sample, Stroke, Style, Window};
+use sink_refine::tri::stable_faces;
 use sink_refine::{Candidate, Coarsening, Method, Outcome2, Params, Round, Schedule, refine2};
 
 use super::classes::{Class, Classes};
@@ -174,14 +175,25 @@ pub(super) fn all_methods() -> Render {
     })
 }
 
-/// The triangles inside the outline.
-fn region() -> Result<Subcomplex2, Box<dyn Error>> {
+/// The outline and the triangles inside.
+pub(super) fn triangulated() -> Result<Region, Box<dyn Error>> {
     let usa = outlines::usa();
     let points = usa.points.into_iter().map(DVec2::from).collect();
     let segments = usa.segments.iter();
     let segments = segments.map(|ends| ends.map(|v| VertexId::new(v as usize)));
     let outline = Outline::new(points, segments.collect())?;
-    let region = outline.region(BuildOptions::default(), &mut silent)?;
+    Ok(outline.region(BuildOptions::default(), &mut silent)?)
+}
+
+/// The maximal stable subcomplex of the triangles inside (§5.1).
+pub(super) fn stable(region: &Region) -> Subcomplex2 {
+    let stays = stable_faces(region.delaunay(), |f| region.is_inside(f));
+    Subcomplex2::of(region.delaunay(), |f| stays[f.index()])
+}
+
+/// The triangles inside the outline.
+fn region() -> Result<Subcomplex2, Box<dyn Error>> {
+    let region = triangulated()?;
     Ok(Subcomplex2::of(region.delaunay(), |f| region.is_inside(f)))
 }
 
@@ -237,9 +249,14 @@ fn graphs(rounds: &[Round]) -> [Graph; 2] {
     let [ink, blue, red] = [Color::INK, Color::BLUE, Color::RED].map(Stroke::medium);
     [
         Graph::new(Scale::Log)
-            .line("of low quality", red, of(|round| round.low as f64))
-            .line("their sinks", blue, of(|round| round.candidates as f64))
-            .line("in the block", ink, of(|round| round.inserted as f64)),
+            .line("low quality", red, of(|round| round.low as f64))
+            .line("sinks", blue, of(|round| round.candidates as f64))
+            .line(
+                "passing",
+                Stroke::medium(Color::OCHRE),
+                of(|round| round.passed as f64),
+            )
+            .line("block", ink, of(|round| round.inserted as f64)),
         graphs::ratios(rounds, 1.0),
     ]
 }

@@ -23,10 +23,12 @@ pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop
     let mut candidates = Candidates::new(kind);
     loop {
         refiner.begin_round();
-        let sites = candidates.all(&refiner.solid, &refiner.records);
+        let mut sites = candidates.all(&refiner.solid, &refiner.records);
+        refiner.round().candidates = sites.len();
+        sites.retain(|site| !candidates.is_rejected(site));
         let block = orthogonal_subset(refiner, &mut candidates, &sites);
         let round = refiner.round();
-        round.candidates = sites.len();
+        round.passed = block.len();
         round.inserted = block.len();
         if block.is_empty() {
             return Ok(());

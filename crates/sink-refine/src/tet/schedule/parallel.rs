@@ -32,11 +32,11 @@ pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop
     let mut candidates = Candidates::new(kind);
     loop {
         refiner.begin_round();
-        let sites = candidates.all(&refiner.solid, &refiner.records);
+        let mut sites = candidates.all(&refiner.solid, &refiner.records);
+        refiner.round().candidates = sites.len();
+        sites.retain(|site| !candidates.is_rejected(site));
         let chosen = independent_subset(refiner, &mut candidates, &sites);
-        let round = refiner.round();
-        round.candidates = sites.len();
-        round.inserted = chosen.len();
+        refiner.round().inserted = chosen.len();
         if chosen.is_empty() {
             return Ok(());
         }
@@ -89,6 +89,7 @@ fn independent_subset(
                     .as_ref()
                     .and_then(|tested| tested.as_ref().err().copied()),
             );
+            refiner.round().passed += usize::from(matches!(tested, Some(Ok(_))));
             match tested {
                 Some(Ok(tested)) if taken.take(tested.vertices(&refiner.solid)) => {
                     let (center, radius) = site.sphere(&refiner.solid);

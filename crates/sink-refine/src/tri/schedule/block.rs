@@ -24,11 +24,11 @@ pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop
     let mut candidates = Candidates::new(kind);
     loop {
         refiner.begin_round();
-        let sites = candidates.all(&refiner.region, &refiner.records);
+        let mut sites = candidates.all(&refiner.region, &refiner.records);
+        refiner.round().candidates = sites.len();
+        sites.retain(|site| !candidates.is_rejected(site));
         let block = orthogonal_subset(refiner, &mut candidates, &sites);
-        let round = refiner.round();
-        round.candidates = sites.len();
-        round.inserted = block.len();
+        refiner.round().inserted = block.len();
         if block.is_empty() {
             return Ok(());
         }
@@ -58,11 +58,14 @@ fn orthogonal_subset(
             center: site.point(&refiner.region),
             radius: circumradius(refiner.region.triangle(site.face)),
         };
+        if refiner.propose(circle.center, site.face, 0.0).is_err() {
+            candidates.reject(site);
+            continue;
+        }
+        // Those without room are tested too: they count in figure 7.
+        refiner.round().passed += 1;
         if block.has_room_for(&circle) {
-            match refiner.propose(circle.center, site.face, 0.0) {
-                Ok(()) => block.push(circle),
-                Err(_) => candidates.reject(site),
-            }
+            block.push(circle);
         }
     }
     block.chosen

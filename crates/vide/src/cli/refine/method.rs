@@ -2,7 +2,7 @@
 
 use clap::error::ErrorKind;
 use clap::{Args, Command, ValueEnum};
-use vide::sink_refine::{self as sinks, Coarsening, Method};
+use vide::sink_refine::{self as sinks, Boundary, Coarsening, Method};
 
 use super::RefineArgs;
 
@@ -36,12 +36,35 @@ pub(super) enum Coarsen {
     Merging,
 }
 
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum AtBoundary {
+    /// No edge and no triangle of it is touched
+    Keep,
+    /// What is in the way of good elements is divided
+    Split,
+}
+
 impl RefineArgs {
+    /// What may happen to the boundary, which is smooth where it turns by up to `usual` degrees unless said otherwise.
+    pub(super) fn boundary(&self, usual: f64) -> Boundary {
+        match self.boundary {
+            AtBoundary::Keep => Boundary::Keep,
+            AtBoundary::Split => Boundary::Split {
+                crease: self.crease.unwrap_or(usual),
+            },
+        }
+    }
+
     /// The method that the options name.
     ///
     /// # Errors
     /// A usage error where an option belongs to another method.
     pub(crate) fn method(&self) -> Result<Method, clap::Error> {
+        if self.crease.is_some() && self.boundary == AtBoundary::Keep {
+            let problem =
+                "--crease belongs to --boundary split: a boundary that is kept has no new vertices";
+            return Err(usage(problem));
+        }
         let candidate = match self.candidate {
             Candidate::Economical => return self.economical(),
             Candidate::Sink => sinks::Candidate::Sink,

@@ -49,6 +49,13 @@ pub(crate) struct RefineArgs {
     /// What happens to inserted vertices that are not needed, of the economical method [default: removal]
     #[arg(long, value_enum)]
     coarsen: Option<method::Coarsen>,
+    /// What may happen to the boundary
+    #[arg(long, value_enum, default_value_t = method::AtBoundary::Keep)]
+    boundary: method::AtBoundary,
+    /// With --boundary split: where the boundary turns by up to DEG degrees it is smooth, and new vertices are put on a smooth curve
+    /// or surface; elsewhere it has corners and creases, which stay [default: 30; in the plane 0: on the edges]
+    #[arg(long, value_name = "DEG")]
+    crease: Option<f64>,
     /// Most vertices to add to those given
     #[arg(long, value_name = "N", default_value_t = usize::MAX, hide_default_value = true)]
     max_vertices: usize,
@@ -77,14 +84,22 @@ pub(crate) fn run(args: &RefineArgs, method: Method) -> Result<(), Failure> {
     }
     let mut watch = Watch::new(args.common.quiet);
     let given = watch.stage("read", |_| read(&args.input))?;
-    let params = |usual: f64| Params {
+    let params = |usual: f64, crease: f64| Params {
         ratio: args.ratio.unwrap_or(usual),
         method,
+        boundary: args.boundary(crease),
         max_new_vertices: args.max_vertices,
     };
     let refined = match &given {
-        Given::Outline(outline) => plane::refine(args, outline, &params(plane::RATIO), &mut watch)?,
-        Given::Mesh(mesh) => solid::refine(args, mesh, &params(solid::RATIO), &mut watch)?,
+        Given::Outline(outline) => plane::refine(
+            args,
+            outline,
+            &params(plane::RATIO, plane::CREASE),
+            &mut watch,
+        )?,
+        Given::Mesh(mesh) => {
+            solid::refine(args, mesh, &params(solid::RATIO, solid::CREASE), &mut watch)?
+        }
     };
     let Refined { mesh, mut report } = refined;
     watch.stage("measure", |_| report.measure(&measure_mesh(&mesh)));

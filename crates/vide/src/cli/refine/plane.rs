@@ -18,6 +18,9 @@ use crate::cli::report::Report;
 /// The ratio that means angles of 30 degrees at least.
 pub(super) const RATIO: f64 = 1.0;
 
+/// All vertices of an outline are corners.
+pub(super) const CREASE: f64 = 0.0;
+
 /// Whether a mesh is of the plane: there is something in it, all of it at z = 0 and nothing with a volume.
 pub(super) fn holds(mesh: &Mesh) -> bool {
     let flat = mesh.points.iter().all(|&[_, _, z]| z == 0.0);

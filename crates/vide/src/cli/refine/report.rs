@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use vide::delaunay_core::{FaceId, TetId, VertexId};
 use vide::sink_refine::{
-    Candidate, Coarsening, Counters, Method, Outcome2, Outcome3, Params, Reason2, Reason3,
-    Schedule, Separation2, Separation3,
+    Boundary, Candidate, Coarsening, Counters, Method, Outcome2, Outcome3, Params, Reason2,
+    Reason3, Schedule, Separation2, Separation3,
 };
 
 use crate::cli::report::{Report, Stop};
@@ -22,6 +22,8 @@ pub(crate) struct Refinement {
     schedule: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     coarsen: Option<&'static str>,
+    /// Whether the boundary might be divided.
+    boundary: &'static str,
     /// Elements with a larger one are of low quality.
     ratio: f64,
     /// The length of edges asked for.
@@ -40,6 +42,8 @@ struct Points {
     tested: usize,
     encroaching: usize,
     inserted: usize,
+    /// Of those inserted.
+    on_boundary: usize,
     removed: usize,
 }
 
@@ -117,6 +121,8 @@ pub(super) fn of_solid(
     outcome: &Outcome3,
     tets: &[TetId],
 ) -> Refinement {
+    let mesh = outcome.solid.mesh();
+    let numbers = Numbers::of(outcome.solid.points().len(), |v| mesh.home(v).is_some());
     let low = outcome.low.iter().map(|low| LowElement {
         element: place(tets, low.tet),
         ratio: low.ratio,
@@ -124,7 +130,7 @@ pub(super) fn of_solid(
         reason: low.reason.into(),
         boundary: match low.reason {
             Reason3::BoundaryTriangle(f) | Reason3::Encroaches(f) => {
-                numbers(outcome.solid.mesh().facet_vertices(f))
+                numbers.list(mesh.facet_vertices(f))
             }
             Reason3::Outside | Reason3::NotReached => Vec::new(),
         },
@@ -150,15 +156,18 @@ pub(super) fn of_region(
     faces: &[FaceId],
 ) -> Refinement {
     let mesh = outcome.region.mesh();
+    let numbers = Numbers::of(outcome.region.points().len(), |v| {
+        mesh.outgoing(v).is_some()
+    });
     let low = outcome.low.iter().map(|low| LowElement {
         element: place(faces, low.face),
         ratio: low.ratio,
         size: (low.size > 0.0).then_some(low.size),
         reason: low.reason.into(),
         boundary: match low.reason {
-            Reason2::BoundaryAngle(v) => numbers([v]),
+            Reason2::BoundaryAngle(v) => numbers.list([v]),
             Reason2::BoundaryEdge(h) | Reason2::Encroaches(h) => {
-                numbers([mesh.origin(h), mesh.target(h)])
+                numbers.list([mesh.origin(h), mesh.target(h)])
             }
             Reason2::Outside | Reason2::NotReached => Vec::new(),
         },
@@ -174,13 +183,23 @@ pub(super) fn of_region(
     )
 }
 
-/// The numbers of vertices in the files written, where those that are not there have none.
-fn numbers<const N: usize>(
-    vertices: [VertexId; N],
-    is_there: impl Fn(VertexId) -> bool,
-) -> Vec<usize> {
-    let before = |v: VertexId| (0..v.index()).map(VertexId::new);
-    vertices.map(|v| before(v).filter(|&v| is_there(v)).count()).to_vec()
+/// By vertex its number in the files written, in which vertices that have been removed are left out.
+struct Numbers(Vec<usize>);
+
+impl Numbers {
+    fn of(vertices: usize, is_there: impl Fn(VertexId) -> bool) -> Self {
+        let all = (0..vertices).map(VertexId::new);
+        let before = all.scan(0, |before, v| {
+            let number = *before;
+            *before += usize::from(is_there(v));
+            Some(number)
+        });
+        Self(before.collect())
+    }
+
+    fn list<const N: usize>(&self, vertices: [VertexId; N]) -> Vec<usize> {
+        vertices.map(|v| self.0[v.index()]).to_vec()
+    }
 }
 
 fn place<I: Copy + PartialEq>(order: &[I], id: I) -> usize {
@@ -201,6 +220,10 @@ impl Refinement {
             candidate,
             schedule,
             coarsen,
+            boundary: match params.boundary {
+                Boundary::Keep => "keep",
+                Boundary::Split { .. } => "split",
+            },
             ratio: params.ratio,
             size,
             given_vertices,
@@ -209,6 +232,7 @@ impl Refinement {
                 tested: counters.tested,
                 encroaching: counters.encroaching,
                 inserted: counters.inserted,
+                on_boundary: counters.split,
                 removed: counters.removed,
             },
             separation,
@@ -325,8 +349,13 @@ pub(super) fn summary(report: &Report) -> String {
     else {
         return text;
     };
+    let on_boundary = match points.on_boundary {
+        0 => String::new(),
+        count => format!(" ({count} on the boundary)"),
+    };
     text += &format!(
-        " (given {given_elements} and {given_vertices})\n{} points tested, {} encroaching, {} inserted, {} removed\n",
+        " (given {given_elements} and {given_vertices})\n\
+         {} points tested, {} encroaching, {} inserted{on_boundary}, {} removed\n",
         points.tested, points.encroaching, points.inserted, points.removed
     );
     let ended = match report.stop {

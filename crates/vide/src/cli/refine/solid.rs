@@ -19,6 +19,9 @@ use crate::cli::report::Report;
 /// The usual ratio in space.
 pub(super) const RATIO: f64 = 2.0;
 
+/// Degrees by which usual triangulated surfaces turn at most where they stand for smooth ones.
+pub(super) const CREASE: f64 = 30.0;
+
 pub(super) fn refine(
     args: &RefineArgs,
     given: &Mesh,
