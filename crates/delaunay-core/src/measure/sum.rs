@@ -21,15 +21,19 @@ impl Sum {
         self.count += 1;
     }
 
-    /// The arithmetic mean of the terms; `None` without terms.
-    pub(super) fn mean(&self) -> Option<f64> {
+    /// The sum of the terms.
+    pub(super) fn total(&self) -> f64 {
         // An infinite term leaves NaN in `lost`, which must not spoil the infinite sum.
-        let total = if self.sum.is_finite() {
+        if self.sum.is_finite() {
             self.sum + self.lost
         } else {
             self.sum
-        };
-        (self.count > 0).then(|| total / self.count as f64)
+        }
+    }
+
+    /// The arithmetic mean of the terms; `None` without terms.
+    pub(super) fn mean(&self) -> Option<f64> {
+        (self.count > 0).then(|| self.total() / self.count as f64)
     }
 }
 

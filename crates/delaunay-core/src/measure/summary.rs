@@ -42,4 +42,29 @@ impl Summary {
             max,
         })
     }
+
+    /// The summary of all values of some summaries; `None` for none. Linear.
+    ///
+    /// ```
+    /// use delaunay_core::measure::Summary;
+    ///
+    /// let parts = [Summary::of([1.0, 2.0]), None, Summary::of([6.0])];
+    /// assert_eq!(Summary::of_all(parts.into_iter().flatten()), Summary::of([1.0, 2.0, 6.0]));
+    /// ```
+    pub fn of_all(parts: impl IntoIterator<Item = Self>) -> Option<Self> {
+        let mut sum = Sum::default();
+        let (mut count, mut min, mut max) = (0, f64::INFINITY, f64::NEG_INFINITY);
+        for part in parts {
+            sum.add(part.mean * part.count as f64);
+            count += part.count;
+            min = min.min(part.min);
+            max = max.max(part.max);
+        }
+        (count > 0).then(|| Self {
+            count,
+            min,
+            mean: sum.total() / count as f64,
+            max,
+        })
+    }
 }

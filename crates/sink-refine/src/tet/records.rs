@@ -5,6 +5,7 @@ use super::sizes::Sizes;
 use crate::quality::Quality;
 use crate::stamp::Stamp;
 use crate::stop::Stop;
+use delaunay_core::measure::Summary;
 use delaunay_core::measure::tetrahedron::radius_edge_ratio;
 use delaunay_core::{Subcomplex3, TetId};
 use glam::DVec3;
@@ -160,13 +161,17 @@ impl<'a> Records<'a> {
         self.quality(t).is_low(self.bound)
     }
 
-    /// The ratios of all tetrahedra, by id.
-    pub(crate) fn ratios(&self) -> impl Iterator<Item = f64> {
-        let there = self
-            .entries
-            .iter()
-            .filter(|entry| entry.stamp != Stamp::NONE);
-        there.map(|entry| entry.quality.ratio())
+    /// The ratios of all tetrahedra, and how many of them are of low quality; on all threads.
+    pub(crate) fn summary(&self) -> (Option<Summary>, usize) {
+        let parts = self.entries.par_chunks(1 << 13).map(|entries| {
+            let there = entries.iter().filter(|entry| entry.stamp != Stamp::NONE);
+            let ratios = there.clone().map(|entry| entry.quality.ratio());
+            let low = there.filter(|entry| entry.quality.is_low(self.bound));
+            (Summary::of(ratios), low.count())
+        });
+        let (summaries, low): (Vec<Option<Summary>>, Vec<usize>) = parts.unzip();
+        let summaries = summaries.into_iter().flatten();
+        (Summary::of_all(summaries), low.into_iter().sum())
     }
 
     /// All tetrahedra of low quality, with how bad they are, by id.

@@ -6,7 +6,6 @@ use crate::history::{Counters, Round};
 use crate::stamp::Stamp;
 use crate::stop::Stop;
 use crate::worklist::{Entry, Worklist};
-use delaunay_core::measure::Summary;
 use delaunay_core::progress::Meter;
 use delaunay_core::{FacetId, Patch, Subcomplex3, TetId, VertexId};
 use glam::DVec3;
@@ -265,12 +264,13 @@ impl<'a> Refiner<'a> {
 
     /// Starts a round: takes down the size and quality of the mesh.
     pub(crate) fn begin_round(&mut self) -> &mut Round {
+        let (ratios, low) = self.records.summary();
         let mut round = Round {
             vertices: self.solid.vertex_count(),
-            low: self.records.all_low().count(),
+            low,
             ..Round::default()
         };
-        if let Some(ratios) = Summary::of(self.records.ratios()) {
+        if let Some(ratios) = ratios {
             round.elements = ratios.count;
             round.min_ratio = ratios.min;
             round.mean_ratio = ratios.mean;
