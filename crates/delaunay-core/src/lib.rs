@@ -44,7 +44,8 @@
 //!   data about elements live in a `Vec` beside the mesh, indexed by the `index()` of their ids.
 //! - An [`Outline`] is a closed curve of segments in the plane; [`Outline::region`] finds the triangles that it encloses.
 //! - A [`Surface`] is a closed surface of triangles; [`Surface::solid`] finds the tetrahedra that it encloses.
-//! - [`Subcomplex2`] and [`Subcomplex3`] are parts of a triangulation with a boundary that no insertion changes.
+//! - [`Subcomplex2`] and [`Subcomplex3`] are parts of a triangulation with a boundary that no insertion changes; in a
+//!   [`Complex3`] tetrahedra need not be Delaunay.
 //! - Signs, ids, ghosts and the accepted coordinates are as in `docs/conventions.md`. All decisions about
 //!   topology are made by the exact predicates of [`geo_predicates`], re-exported here.
 //! - [`measure`] judges elements and sums up a mesh: angles, r/l, radius ratios, scaled Jacobian, statistics.
@@ -70,9 +71,10 @@ pub use geo_predicates;
 pub use ids::{FaceId, FacetId, HalfEdgeId, TetId, VertexId};
 pub use options::BuildOptions;
 pub use tet::{
-    Cavity3, CellCarver, Clipper, ConvexPolyhedron, Delaunay3, FACET_CORNERS, Flip, FlipError,
-    HalfSpace, HalfSpaceError, Location3, Met, Moments, Patch, PolyhedronError, PolyhedronFace,
-    Ring, Side, Star, Subcomplex3, TetMesh, Violation3, Voronoi3, VoronoiEdge3, VoronoiFacet3,
+    Cavity3, CellCarver, Clipper, Complex3, ComplexError, ConvexPolyhedron, Delaunay3,
+    FACET_CORNERS, Flip, FlipError, HalfSpace, HalfSpaceError, Location3, Met, Moments, Patch,
+    PolyhedronError, PolyhedronFace, Ring, Side, Star, Subcomplex3, TetMesh, Violation3, Voronoi3,
+    VoronoiEdge3, VoronoiFacet3,
 };
 pub use tet::{Regular3, RegularViolation3};
 pub use tet::{

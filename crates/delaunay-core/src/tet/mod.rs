@@ -9,7 +9,7 @@
 //! | one point less, or elsewhere | `remove.rs`, `movement.rs` |
 //! | a closed surface and what it encloses | `surface.rs`, `region.rs`, `sweep.rs`, `intersection.rs`, `projection.rs` |
 //! | tetrahedra made elsewhere | `boundary_of_tets.rs` |
-//! | a part with a boundary of its own | `subcomplex.rs`, `boundary_cavity.rs` |
+//! | a part with a boundary of its own | `subcomplex.rs`, `boundary_cavity.rs`; not Delaunay `complex.rs` |
 //! | weighted points | `regular/` |
 //! | points on a plane | `coplanar.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
@@ -28,6 +28,7 @@ mod cavity;
 mod check;
 mod climb;
 mod clip;
+mod complex;
 mod coplanar;
 mod delaunay;
 mod dual;
@@ -65,6 +66,7 @@ pub use boundary_of_tets::{TetBoundary, TetsError};
 pub use carve::CellCarver;
 pub use cavity::Cavity3;
 pub use check::Violation3;
+pub use complex::{Complex3, ComplexError};
 pub use delaunay::Delaunay3;
 pub use dual::{Voronoi3, VoronoiEdge3, VoronoiFacet3};
 pub use face::PolyhedronFace;

@@ -45,12 +45,12 @@ use rustc_hash::FxHashMap;
 #[derive(Clone, Debug)]
 pub struct Subcomplex3 {
     /// By vertex slot: the ghost in front, with coordinates that are not numbers.
-    coords: Vec<DVec3>,
-    mesh: TetMesh,
+    pub(super) coords: Vec<DVec3>,
+    pub(super) mesh: TetMesh,
     filter: Filter3,
     /// Ids of removed vertices, the last removed on top.
-    vacant: Vec<VertexId>,
-    vertex_count: usize,
+    pub(super) vacant: Vec<VertexId>,
+    pub(super) vertex_count: usize,
 }
 
 /// What would fill the hole that a vertex leaves.

@@ -59,6 +59,11 @@ impl Candidates {
         }
     }
 
+    /// Whether candidates may be outside of their tetrahedra.
+    pub(crate) fn are_far_away(&self) -> bool {
+        self.kind == Candidate::Circumcenter
+    }
+
     /// The candidates of a tetrahedron that have not been rejected.
     pub(crate) fn of<'a>(
         &'a self,

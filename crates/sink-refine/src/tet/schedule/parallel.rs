@@ -2,8 +2,9 @@
 //!
 //! Each round inserts a maximal subset of the candidates with disjoint closed prestars: in the order of the
 //! candidates, each that shares no vertex with an earlier one. Prestars are searched at the same time, a batch after
-//! the other; a search ends where it meets a vertex that is taken, for then the candidate is not in the subset, and does not
-//! begin where the point or a chosen one is inside the other's sphere: then they have prestars in common. The
+//! the other; a search ends where it meets a vertex that is taken, for then the candidate is not in the subset, and, of
+//! circumcenters, which may be far from their tetrahedra, does not begin where the point or a chosen one is inside the other's
+//! sphere: then they have prestars in common. The
 //! subset depends on the order alone, so the mesh is the same for any number of threads. By the Independence Lemma none of
 //! its points is inside the circumsphere of another one's prestar.
 
@@ -70,14 +71,16 @@ fn independent_subset(
     let mut taken = Taken::none(refiner.solid.points().len());
     let mut chosen = Vec::new();
     let mut waiting = sites.iter().copied();
-    let mut spheres = Spheres::new();
+    let mut spheres = candidates.are_far_away().then(Spheres::new);
     loop {
         // Where the first few prestars cover most of the mesh, more at the same time would be searched in vain.
         let size = (2 * chosen.len()).clamp(2, BATCH);
         let solid = &refiner.solid;
         let is_open = |site: &Site| {
             taken.is_free(solid.mesh().tet_vertices(site.tet))
-                && is_outside_all(&spheres, site.sphere(solid))
+                && spheres
+                    .as_ref()
+                    .is_none_or(|spheres| is_outside_all(spheres, site.sphere(solid)))
         };
         let batch: Vec<Site> = waiting.by_ref().filter(is_open).take(size).collect();
         if batch.is_empty() {
@@ -92,8 +95,10 @@ fn independent_subset(
             refiner.round().passed += usize::from(matches!(tested, Some(Ok(_))));
             match tested {
                 Some(Ok(tested)) if taken.take(tested.vertices(&refiner.solid)) => {
-                    let (center, radius) = site.sphere(&refiner.solid);
-                    spheres.insert(center.to_array(), radius);
+                    if let Some(spheres) = &mut spheres {
+                        let (center, radius) = site.sphere(&refiner.solid);
+                        spheres.insert(center.to_array(), radius);
+                    }
                     chosen.push(tested);
                 }
                 Some(Ok(_)) | None => {}
