@@ -1,6 +1,8 @@
 //! From the plain data of files to the types of the methods, and back.
 
-use delaunay_core::{FaceId, Subcomplex2, Subcomplex3, TetId, TetMesh, TriMesh, VertexId};
+use delaunay_core::{
+    Complex3, FaceId, Subcomplex2, Subcomplex3, TetId, TetMesh, TriMesh, VertexId,
+};
 use glam::{DVec2, DVec3};
 use medial_blocking::{Block, BlockGrid, BlockMesh, Circle, Domain, DomainError, WallName};
 use mesh_io::{
@@ -119,16 +121,27 @@ pub fn tetrahedron_mesh(points: &[DVec3], mesh: &TetMesh) -> Mesh {
 /// cells are in canonical order, as of [`tetrahedron_mesh`]. O(n log n).
 #[must_use]
 pub fn solid_mesh(solid: &Subcomplex3) -> (Mesh, Vec<TetId>) {
-    let mut numbers = vec![0; solid.points().len()];
-    let mut points = Vec::with_capacity(solid.vertex_count());
-    for v in (0..solid.points().len()).map(VertexId::new) {
-        if solid.mesh().home(v).is_some() {
+    mesh_without_gaps(solid.points(), solid.mesh())
+}
+
+/// Tetrahedra that need not be Delaunay as a plain mesh, as [`solid_mesh`] does.
+#[must_use]
+pub fn complex_mesh(complex: &Complex3) -> Mesh {
+    mesh_without_gaps(complex.points(), complex.mesh()).0
+}
+
+fn mesh_without_gaps(places: &[DVec3], mesh: &TetMesh) -> (Mesh, Vec<TetId>) {
+    let mut numbers = vec![0; places.len()];
+    let mut points = Vec::new();
+    for (v, place) in (0..).map(VertexId::new).zip(places) {
+        if mesh.home(v).is_some() {
             numbers[v.index()] = points.len() as u32;
-            points.push(solid.point(v).to_array());
+            points.push(place.to_array());
         }
     }
-    let corners = |t| solid.mesh().tet_vertices(t).map(|v| numbers[v.index()]);
-    let mut tetrahedra: Vec<_> = solid.tets().map(|t| (ascending(corners(t)), t)).collect();
+    let corners = |t| mesh.tet_vertices(t).map(|v| numbers[v.index()]);
+    let real = mesh.tets().filter(|&t| !mesh.is_ghost_tet(t));
+    let mut tetrahedra: Vec<_> = real.map(|t| (ascending(corners(t)), t)).collect();
     tetrahedra.par_sort_unstable();
     let (tetrahedra, ids) = tetrahedra.into_iter().unzip();
     (Mesh::new(points, Cells::of_tetrahedra(tetrahedra)), ids)

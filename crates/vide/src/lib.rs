@@ -27,6 +27,7 @@
 //! | [`delaunay_core`] | Delaunay triangulations, Voronoi dual, measures |
 //! | [`medial_blocking`] | multiblock structured quads around circles |
 //! | [`sink_refine`] | refinement by sink insertion |
+//! | [`tet_improve`] | tetrahedra without slivers, inside a fixed boundary |
 //! | [`bubble_mesh`] | graded triangles steered by bubbles |
 //! | [`cvt_tet`] | centroidal Voronoi meshes |
 //! | [`mesh_io`] | file formats |
@@ -47,6 +48,7 @@ pub use glam;
 pub use medial_blocking;
 pub use mesh_io;
 pub use sink_refine;
+pub use tet_improve;
 
 /// The examples of the README are tests.
 #[cfg(doctest)]

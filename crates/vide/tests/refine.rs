@@ -8,7 +8,9 @@ use std::collections::BTreeSet;
 
 use folder::{Folder, text};
 use serde_json::Value;
-use vide::delaunay_core::measure::tetrahedron::{circumradius, radius_edge_ratio, signed_volume};
+use vide::delaunay_core::measure::tetrahedron::{
+    circumradius, dihedral_angles, radius_edge_ratio, signed_volume,
+};
 use vide::delaunay_core::measure::triangle::area;
 use vide::glam::{DVec2, DVec3};
 use vide::mesh_io::{Cell, CellKind, Mesh, read_mesh, write_mesh};
@@ -522,5 +524,39 @@ fn a_crease_angle_needs_a_boundary_that_may_be_divided() {
         );
         assert!(text(&output.stderr).contains("crease"));
         assert!(!folder.path("usa.vtu").exists());
+    }
+}
+
+#[test]
+fn slivers_are_taken_away_after_refinement() {
+    let folder = Folder::with(&[("cuboctahedron.off", CUBOCTAHEDRON), ("usa.poly", USA)]);
+    let said = run(
+        &folder,
+        "refine cuboctahedron.off -o fine.vtu --min-dihedral 20 --report fine.json",
+    );
+    assert!(said.contains("improved: dihedral angles 20."), "{said}");
+    let fine = read(&folder, "fine.vtu");
+    let smallest = tetrahedra(&fine).into_iter().map(|corners| {
+        let angles = dihedral_angles(places(&fine, corners));
+        angles.into_iter().fold(180.0, f64::min)
+    });
+    assert!(smallest.fold(180.0, f64::min) > 19.99);
+    let report = json(&folder, "fine.json");
+    assert_eq!(report["elements"], fine.cells.len());
+    assert_eq!(report["improvement"]["left"], 0);
+    assert_eq!(
+        boundary(&fine),
+        surface(&read(&folder, "cuboctahedron.off"))
+    );
+    for (input, angle, status) in [("cuboctahedron.off", "71", 2), ("usa.poly", "20", 1)] {
+        let arguments = format!("refine {input} -o no.vtu --min-dihedral {angle}");
+        let output = folder.vide(&arguments.split(' ').collect::<Vec<_>>());
+        assert_eq!(
+            output.status.code(),
+            Some(status),
+            "{}",
+            text(&output.stderr)
+        );
+        assert!(!folder.path("no.vtu").exists());
     }
 }

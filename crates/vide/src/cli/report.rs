@@ -8,7 +8,7 @@ use vide::mesh_io::WriteError;
 use vide::quality::Measured;
 use vide::sink_refine;
 
-use super::refine::Refinement;
+use super::refine::{Improvement, Refinement};
 
 /// The report of any subcommand; what a command does not make is left out.
 #[derive(Default, Serialize)]
@@ -45,6 +45,8 @@ pub(crate) struct Report {
     pub(crate) angle: Option<Angle>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) refinement: Option<Refinement>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) improvement: Option<Improvement>,
     pub(crate) quality: BTreeMap<String, Spread>,
     pub(crate) seconds: BTreeMap<String, f64>,
     pub(crate) stop: Stop,

@@ -1,5 +1,6 @@
 //! `vide refine`: a mesh or a boundary in, a better mesh out.
 
+mod improve;
 mod method;
 mod plane;
 mod report;
@@ -21,6 +22,7 @@ use super::output::{check_formats, check_places, write_together};
 use super::progress::Watch;
 use super::report::Report;
 
+pub(crate) use improve::Improvement;
 pub(crate) use report::Refinement;
 
 #[derive(Args)]
@@ -56,6 +58,10 @@ pub(crate) struct RefineArgs {
     /// or surface; elsewhere it has corners and creases, which stay [default: 30; in the plane 0: on the edges]
     #[arg(long, value_name = "DEG")]
     crease: Option<f64>,
+    /// Afterwards make tetrahedra better whose smallest dihedral angle is below DEG degrees, or the largest above 180 - DEG, by
+    /// exchanges, moves and new vertices inside: 20 is quick, 30 thorough. They need not be Delaunay then
+    #[arg(long, value_name = "DEG", value_parser = improve::parse)]
+    min_dihedral: Option<f64>,
     /// Most vertices to add to those given
     #[arg(long, value_name = "N", default_value_t = usize::MAX, hide_default_value = true)]
     max_vertices: usize,

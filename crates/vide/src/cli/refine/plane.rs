@@ -51,6 +51,12 @@ pub(super) fn refine(
     params: &Params,
     watch: &mut Watch,
 ) -> Result<Refined, Failure> {
+    if args.min_dihedral.is_some() {
+        return Err(failed(
+            args,
+            "triangles have no dihedral angles: --min-dihedral is for solids",
+        ));
+    }
     let region = watch.stage("triangulate", |watch| triangulate(args, outline, watch))?;
     let before = [region.vertex_count(), region.faces().count()];
     let limits = size::of_regions(outline);

@@ -9,6 +9,7 @@ use vide::sink_refine::{
     Reason3, Schedule, Separation2, Separation3,
 };
 
+use super::improve::Improvement;
 use crate::cli::report::{Report, Stop};
 
 /// Elements of low quality that are listed.
@@ -207,6 +208,12 @@ fn place<I: Copy + PartialEq>(order: &[I], id: I) -> usize {
 }
 
 impl Refinement {
+    /// The same for elements that have been exchanged since: they are counted, not named.
+    pub(super) fn without_elements(mut self) -> Self {
+        self.low.worst.clear();
+        self
+    }
+
     fn new(
         params: &Params,
         size: Option<f64>,
@@ -382,5 +389,10 @@ pub(super) fn summary(report: &Report) -> String {
             reasons.join(", ")
         ),
     };
-    text + &left + ended + "\n\n"
+    let improved = report.improvement.as_ref();
+    let (when, improved) = match improved.map(Improvement::summary) {
+        Some(line) => ("refined: ", line),
+        None => ("", String::new()),
+    };
+    text + when + &left + ended + "\n" + &improved + "\n"
 }

@@ -9,7 +9,8 @@ use vide::mesh_io::Mesh;
 use vide::sink_refine::{Outcome3, Params, Sizing, refine3_sized};
 use vide::solid::GivenSolid;
 
-use super::report::of_solid;
+use super::improve;
+use super::report::{Refinement, of_solid};
 use super::{RefineArgs, Refined};
 use crate::cli::Common;
 use crate::cli::failure::Failure;
@@ -41,7 +42,11 @@ pub(super) fn refine(
         })
     });
     let outcome = outcome.map_err(|error| failed(args, error))?;
-    Ok(watch.stage("sort", |_| refined(args, params, before, &outcome)))
+    let refined = watch.stage("sort", |_| refined(args, params, before, &outcome));
+    match args.min_dihedral {
+        None => Ok(refined),
+        Some(angle) => improved(args, angle, &outcome, refined, watch),
+    }
 }
 
 fn tetrahedralize(
@@ -66,6 +71,26 @@ fn refined(args: &RefineArgs, params: &Params, before: [usize; 2], outcome: &Out
         ..Report::default()
     };
     Refined { mesh, report }
+}
+
+/// The mesh refined, without slivers; its report keeps what refinement did.
+fn improved(
+    args: &RefineArgs,
+    angle: f64,
+    outcome: &Outcome3,
+    refined: Refined,
+    watch: &mut Watch,
+) -> Result<Refined, Failure> {
+    let improved = improve::run(&outcome.solid, angle, watch);
+    let (mesh, improvement) = improved.map_err(|error| failed(args, error))?;
+    let report = Report {
+        vertices: mesh.points.len(),
+        elements: mesh.cells.len(),
+        refinement: refined.report.refinement.map(Refinement::without_elements),
+        improvement: Some(improvement),
+        ..refined.report
+    };
+    Ok(Refined { mesh, report })
 }
 
 fn failed(args: &RefineArgs, problem: impl Display) -> Failure {
