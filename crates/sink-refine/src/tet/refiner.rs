@@ -23,6 +23,8 @@ pub(crate) struct Refiner<'a> {
     /// Vertices that may still be added.
     budget: usize,
     meter: Meter<'a>,
+    /// Points tested at the last report that was due to them.
+    reported: usize,
     gone: Vec<TetId>,
 }
 
@@ -42,6 +44,7 @@ impl<'a> Refiner<'a> {
             proposal: Proposal::default(),
             budget,
             meter,
+            reported: 0,
             gone: Vec::new(),
         };
         refiner.list_all();
@@ -243,8 +246,19 @@ impl<'a> Refiner<'a> {
         let before = self.counters.inserted;
         while let Some(tet) = self.worklist.next(|id| self.records.stamp(id)) {
             insert_for(self, tet)?;
+            self.report_tests()?;
         }
         Ok(self.counters.inserted - before)
+    }
+
+    /// Reports when many points have been tested since: there may be no insertions for long.
+    fn report_tests(&mut self) -> Result<(), Stop> {
+        const STRIDE: usize = 1 << 12;
+        if self.counters.tested >= self.reported + STRIDE {
+            self.reported = self.counters.tested;
+            self.meter.reach(self.counters.inserted)?;
+        }
+        Ok(())
     }
 
     /// Lists the tetrahedra put aside again.

@@ -35,6 +35,8 @@ pub(crate) struct Refiner<'a> {
     /// Vertices that may still be added.
     budget: usize,
     meter: Meter<'a>,
+    /// Points tested at the last report that was due to them.
+    reported: usize,
     gone: Vec<FaceId>,
 }
 
@@ -55,6 +57,7 @@ impl<'a> Refiner<'a> {
             proposal: Proposal::default(),
             budget,
             meter,
+            reported: 0,
             gone: Vec::new(),
         };
         refiner.list_all();
@@ -236,8 +239,19 @@ impl<'a> Refiner<'a> {
         let before = self.counters.inserted;
         while let Some(face) = self.worklist.next(|id| self.records.stamp(id)) {
             insert_for(self, face)?;
+            self.report_tests()?;
         }
         Ok(self.counters.inserted - before)
+    }
+
+    /// Reports when many points have been tested since: there may be no insertions for long.
+    fn report_tests(&mut self) -> Result<(), Stop> {
+        const STRIDE: usize = 1 << 12;
+        if self.counters.tested >= self.reported + STRIDE {
+            self.reported = self.counters.tested;
+            self.meter.reach(self.counters.inserted)?;
+        }
+        Ok(())
     }
 
     /// Lists the triangles put aside again.

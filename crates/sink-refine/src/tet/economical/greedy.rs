@@ -1,9 +1,11 @@
 //! For each tetrahedron of low quality, the worst first, the best of its sinks and some off-centers.
 //!
-//! Best is what takes most low tetrahedra away and adds fewest others. Points keep the minimum separation: each is at
+//! None is inserted for a tetrahedron on a boundary facet that is itself of low quality: that one is always on such a
+//! tetrahedron. Best is what takes most low tetrahedra away and adds fewest others. Points keep the minimum separation: each is at
 //! least as far from all vertices as the shortest edge of its tetrahedron is long.
 
 use super::super::flow::{FlowWalk, sink};
+use super::super::low::skinny_boundary;
 use super::super::proposal::Proposal;
 use super::super::refiner::Refiner;
 use super::gain::Gain;
@@ -32,7 +34,8 @@ impl Greedy {
     /// Inserts the best candidate of a tetrahedron that passes the tests, or puts the tetrahedron aside.
     fn insert_for(&mut self, refiner: &mut Refiner<'_>, tet: TetId) -> Result<(), Stop> {
         let stamp = refiner.records.stamp(tet);
-        let found = self.choose(refiner, tet);
+        let incurable = skinny_boundary(&refiner.solid, &refiner.records, tet).is_some();
+        let found = !incurable && self.choose(refiner, tet);
         if found {
             refiner.insert(&mut self.best)?;
         }

@@ -6,12 +6,12 @@
 //! 3. The same without the boundary test: then a boundary facet may have a vertex inside its diametral sphere. The boundary
 //!    itself stays in any case.
 //!
-//! Tetrahedra on a boundary facet that is itself larger than their size allows are left as they are.
+//! Tetrahedra on a boundary facet that is itself of low quality or larger than their size allows are left as they are.
 //!
 //! Each point lowers the number of low tetrahedra, so there are no more of them than there were leftovers.
 
 use super::super::flow::FlowWalk;
-use super::super::low::large_boundary;
+use super::super::low::{large_boundary, skinny_boundary};
 use super::super::proposal::{Proposal, Rejection3};
 use super::super::refiner::Refiner;
 use super::gain::Gain;
@@ -27,6 +27,10 @@ use rustc_hash::FxHashSet;
 
 /// How often a point slides from one facet to the next.
 const SLIDES: usize = 3;
+
+/// Points tested with one effort, at most, in parts of the number of tetrahedra. Leftovers are few unless much of the boundary is in the
+/// way; then this keeps the work linear.
+const TESTS: usize = 4;
 
 /// What is tried.
 #[derive(Clone, Copy)]
@@ -54,7 +58,11 @@ const EFFORTS: [Effort; 3] = [
 
 pub(super) fn run(refiner: &mut Refiner<'_>) -> Result<(), Stop> {
     for effort in EFFORTS {
-        Cure::new(effort).all(refiner)?;
+        let last = refiner
+            .counters
+            .tested
+            .saturating_add(TESTS * refiner.records.slots());
+        Cure::new(effort, last).all(refiner)?;
     }
     Ok(())
 }
@@ -62,6 +70,8 @@ pub(super) fn run(refiner: &mut Refiner<'_>) -> Result<(), Stop> {
 /// Room for curing.
 struct Cure {
     effort: Effort,
+    /// When so many points have been tested, it ends.
+    last_test: usize,
     walk: FlowWalk,
     candidates: Vec<(DVec3, TetId)>,
     best: Proposal,
@@ -71,9 +81,10 @@ struct Cure {
 }
 
 impl Cure {
-    fn new(effort: Effort) -> Self {
+    fn new(effort: Effort, last_test: usize) -> Self {
         Self {
             effort,
+            last_test,
             walk: FlowWalk::default(),
             candidates: Vec::new(),
             best: Proposal::default(),
@@ -120,8 +131,14 @@ impl Cure {
     /// all of them for each point inserted would take long.
     fn is_worth_trying(&mut self, refiner: &Refiner<'_>, tet: TetId) -> bool {
         let records = &refiner.records;
+        if refiner.counters.tested >= self.last_test {
+            return false;
+        }
         let first = records.is_skinny(tet) || self.tried.insert((tet, records.stamp(tet)));
-        first && large_boundary(&refiner.solid, records, tet).is_none()
+        let solid = &refiner.solid;
+        first
+            && large_boundary(solid, records, tet).is_none()
+            && skinny_boundary(solid, records, tet).is_none()
     }
 
     /// Tries a point, and where it slides to.

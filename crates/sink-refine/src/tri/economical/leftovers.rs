@@ -26,6 +26,10 @@ use rustc_hash::FxHashSet;
 /// How often a point slides from one edge to the next.
 const SLIDES: usize = 3;
 
+/// Points tested with one effort, at most, in parts of the number of triangles. Leftovers are few unless much of the boundary is in the
+/// way; then this keeps the work linear.
+const TESTS: usize = 4;
+
 /// What is tried.
 #[derive(Clone, Copy)]
 struct Effort {
@@ -51,7 +55,11 @@ const EFFORTS: [Effort; 3] = [
 
 pub(super) fn run(refiner: &mut Refiner<'_>) -> Result<(), Stop> {
     for effort in EFFORTS {
-        Cure::new(effort).all(refiner)?;
+        let last = refiner
+            .counters
+            .tested
+            .saturating_add(TESTS * refiner.records.slots());
+        Cure::new(effort, last).all(refiner)?;
     }
     Ok(())
 }
@@ -59,6 +67,8 @@ pub(super) fn run(refiner: &mut Refiner<'_>) -> Result<(), Stop> {
 /// Room for curing.
 struct Cure {
     effort: Effort,
+    /// When so many points have been tested, it ends.
+    last_test: usize,
     candidates: Vec<(DVec2, FaceId)>,
     best: Proposal,
     best_gain: Gain,
@@ -67,9 +77,10 @@ struct Cure {
 }
 
 impl Cure {
-    fn new(effort: Effort) -> Self {
+    fn new(effort: Effort, last_test: usize) -> Self {
         Self {
             effort,
+            last_test,
             candidates: Vec::new(),
             best: Proposal::default(),
             best_gain: Gain::default(),
@@ -115,6 +126,9 @@ impl Cure {
     /// all of them for each point inserted would take long.
     fn is_worth_trying(&mut self, refiner: &Refiner<'_>, face: FaceId) -> bool {
         let records = &refiner.records;
+        if refiner.counters.tested >= self.last_test {
+            return false;
+        }
         let first = records.is_skinny(face) || self.tried.insert((face, records.stamp(face)));
         first && long_edge(&refiner.region, records, face).is_none()
     }
