@@ -35,7 +35,7 @@ impl<'a> Refiner<'a> {
         budget: usize,
         meter: Meter<'a>,
     ) -> Self {
-        let mut refiner = Self {
+        Self {
             solid,
             records,
             worklist: Worklist::new(),
@@ -46,9 +46,7 @@ impl<'a> Refiner<'a> {
             meter,
             reported: 0,
             gone: Vec::new(),
-        };
-        refiner.list_all();
-        refiner
+        }
     }
 
     /// Tests a point, see [`Proposal::make`].
@@ -192,7 +190,7 @@ impl<'a> Refiner<'a> {
         self.records.check_sizes()
     }
 
-    /// Lists all tetrahedra of low quality.
+    /// Lists all tetrahedra of low quality, for passes over them; rounds need no list.
     pub(crate) fn list_all(&mut self) {
         let all: Vec<TetId> = self.solid.tets().collect();
         self.list(&all);

@@ -101,10 +101,9 @@ impl Watersheds {
 
     /// Finds all that flows from tetrahedra of low quality pass.
     fn reach(&mut self) {
-        self.reached.clear();
-        let indexed = (0..).zip(&self.nodes);
-        let low = indexed.filter(|(_, node)| node.is_reached);
-        self.reached.extend(low.map(|(index, _)| index));
+        let nodes = self.nodes.par_iter().with_min_len(1 << 12).enumerate();
+        let low = nodes.filter(|(_, node)| node.is_reached);
+        self.reached = low.map(|(index, _)| index as u32).collect();
         let mut next = 0;
         while let Some(&index) = self.reached.get(next) {
             next += 1;

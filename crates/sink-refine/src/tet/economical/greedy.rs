@@ -19,6 +19,7 @@ const SHARES: [f64; 3] = [0.6, 0.5, 0.4];
 
 pub(super) fn run(refiner: &mut Refiner<'_>) -> Result<(), Stop> {
     let mut greedy = Greedy::default();
+    refiner.list_all();
     refiner.in_passes(|refiner, tet| greedy.insert_for(refiner, tet))
 }
 

@@ -14,6 +14,7 @@ use delaunay_core::TetId;
 pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop> {
     let mut candidates = Candidates::new(kind);
     let mut walk = FlowWalk::default();
+    refiner.list_all();
     refiner.in_passes(|refiner, tet| {
         let (solid, records) = (&refiner.solid, &refiner.records);
         let sites = candidates.of(solid, records, &mut walk, tet).collect();
