@@ -1,7 +1,7 @@
 //! What both kinds of boundary have in common, curves in the plane and surfaces in space.
 
-/// Turns of less than this many radians are rounding: vertices put on a flat part are a little off.
-pub(crate) const TURN_TOLERANCE: f64 = 1e-6;
+/// Turns of less than this many radians are rounding: corners of a flat part may be a little off.
+pub(crate) const TURN_TOLERANCE: f64 = 1e-9;
 
 /// Into how many parts of its length the shortest edge at a boundary vertex may be divided; or the largest circumradius allowed, where a
 /// smaller size is asked for.

@@ -64,8 +64,8 @@ pub enum Boundary {
         /// The largest angle in degrees, from 0 to 180, by which a smooth boundary turns from one segment or triangle to the next.
         ///
         /// New vertices are put on a smooth curve or surface through the vertices given. Where the boundary turns by more it has a
-        /// corner or a crease, which stays. With 0 new vertices are in the middle of segments and in the planes of triangles, up to
-        /// rounding, so the domain stays the same.
+        /// corner or a crease, which stays. With 0 new vertices are on the segments and in the planes of the triangles given, up to
+        /// rounding, so the domain stays the same; turns of a billionth count as none.
         crease: f64,
     },
 }

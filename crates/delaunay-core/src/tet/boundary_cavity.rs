@@ -78,12 +78,13 @@ impl Subcomplex3 {
             let Some(disk) = disk(mesh, cavity, first, joins) else {
                 return false;
             };
-            open(mesh, cavity, &disk);
+            let facets = disk.len();
+            open(mesh, cavity, disk);
             let outer = cavity.boundary.iter().copied();
             let unseen = outer.filter(|&f| is_unseen(f));
             let hidden: FxHashSet<TetId> = unseen.map(|f| mesh.twin(f).tet()).collect();
             if hidden.is_empty() {
-                return is_sphere_round_all(mesh, cavity);
+                return is_sphere_round_all(mesh, cavity, facets);
             }
             if hidden.contains(&seed) {
                 return false;
@@ -112,6 +113,7 @@ fn disk(
     if !disk.iter().all(|&ghost| joins(ghost, None)) {
         return None;
     }
+    let mut met: FxHashSet<TetId> = disk.iter().copied().collect();
     let mut next = 0;
     while let Some(&ghost) = disk.get(next) {
         next += 1;
@@ -123,7 +125,8 @@ fn disk(
                 [_, true, _] => [c, a],
                 _ => [a, b],
             };
-            if !disk.contains(&beyond) && joins(beyond, Some(edge)) {
+            if !met.contains(&beyond) && joins(beyond, Some(edge)) {
+                met.insert(beyond);
                 disk.push(beyond);
             }
         }
@@ -132,57 +135,68 @@ fn disk(
 }
 
 /// Adds the ghosts of a disk to a cavity that ends at them.
-fn open(mesh: &TetMesh, cavity: &mut Cavity3, disk: &[TetId]) {
+fn open(mesh: &TetMesh, cavity: &mut Cavity3, disk: Vec<TetId>) {
+    let on_disk: FxHashSet<TetId> = disk.iter().copied().collect();
     let opened: FxHashSet<TetId> = cavity.boundary.iter().map(|f| f.tet()).collect();
-    cavity.boundary.retain(|outer| !disk.contains(&outer.tet()));
-    for ghost in disk {
+    cavity
+        .boundary
+        .retain(|outer| !on_disk.contains(&outer.tet()));
+    for ghost in &disk {
         let [sides @ .., base] = ghost.facets().map(|side| mesh.twin(side));
         let round = sides
             .into_iter()
-            .filter(|outer| !disk.contains(&outer.tet()));
+            .filter(|outer| !on_disk.contains(&outer.tet()));
         cavity.boundary.extend(round);
         if !opened.contains(ghost) {
             cavity.boundary.push(base);
         }
     }
-    cavity.tets.extend_from_slice(disk);
+    cavity.tets.extend(disk);
 }
 
 /// Leaves of a cavity the tetrahedra that are not `hidden` and hang together with `seed`.
 fn shrink(mesh: &TetMesh, cavity: &mut Cavity3, seed: TetId, hidden: &FxHashSet<TetId>) {
     let all = cavity.tets.iter().copied();
-    let open: FxHashSet<TetId> = all
+    let mut open: FxHashSet<TetId> = all
         .filter(|t| !hidden.contains(t) && !mesh.is_ghost_tet(*t))
         .collect();
     cavity.tets.clear();
     cavity.boundary.clear();
-    cavity.tets.extend(open.get(&seed));
-    let mut next = 0;
-    while let Some(&t) = cavity.tets.get(next) {
-        next += 1;
-        for outer in t.facets().map(|f| mesh.twin(f)) {
-            if !open.contains(&outer.tet()) {
-                cavity.boundary.push(outer);
-            } else if !cavity.tets.contains(&outer.tet()) {
-                cavity.tets.push(outer.tet());
+    let mut inside: FxHashSet<TetId> = FxHashSet::default();
+    let mut pending: Vec<TetId> = open.take(&seed).into_iter().collect();
+    inside.extend(&pending);
+    while let Some(t) = pending.pop() {
+        cavity.tets.push(t);
+        for across in t.facets().map(|f| mesh.neighbor(t, f.corner())) {
+            if open.remove(&across) {
+                inside.insert(across);
+                pending.push(across);
             }
         }
     }
+    let facets = cavity.tets.iter().flat_map(|t| t.facets());
+    let outer = facets.map(|f| mesh.twin(f));
+    let outer = outer.filter(|outer| !inside.contains(&outer.tet()));
+    cavity.boundary.extend(outer);
 }
 
 /// Whether the facets round the cavity make one sphere, and have all vertices of the cavity on them, those of the boundary with a ghost:
 /// then the cone from a point over that sphere can take its place, and no vertex is lost or leaves the boundary.
 ///
 /// Edges with two facets each make a surface, up to vertices where parts of it touch. When it is connected, Euler's
-/// characteristic is 2 for a sphere only: handles make it less, and so do vertices where it touches itself.
-fn is_sphere_round_all(mesh: &TetMesh, cavity: &Cavity3) -> bool {
+/// characteristic is 2 for a sphere only: handles make it less, and so do vertices where it touches itself. For the same reason the
+/// facets that go, all corners of which are on their rim, are a disk when the rim has two edges more than there are facets: a handle,
+/// which the new vertex would close, makes it shorter.
+fn is_sphere_round_all(mesh: &TetMesh, cavity: &Cavity3, disk: usize) -> bool {
     let mut facets_on: FxHashMap<[VertexId; 2], Vec<usize>> = FxHashMap::default();
     let mut vertices: FxHashSet<VertexId> = FxHashSet::default();
     let mut on_rim: FxHashSet<VertexId> = FxHashSet::default();
+    let mut rim = 0;
     for (index, &outer) in cavity.boundary.iter().enumerate() {
         let [a, b, c] = mesh.facet_vertices(outer);
         vertices.extend([a, b, c]);
         if [a, b, c].iter().any(|v| v.is_ghost()) {
+            rim += 1;
             on_rim.extend([a, b, c]);
         }
         for [u, v] in [[a, b], [b, c], [c, a]] {
@@ -203,7 +217,11 @@ fn is_sphere_round_all(mesh: &TetMesh, cavity: &Cavity3) -> bool {
     let is_surface = facets_on.values().all(|facets| facets.len() == 2);
     let faces = cavity.boundary.len();
     let is_spherical = vertices.len() + faces == facets_on.len() + 2;
-    keeps_all && is_surface && is_spherical && is_connected(faces, facets_on.values())
+    keeps_all
+        && rim == disk + 2
+        && is_surface
+        && is_spherical
+        && is_connected(faces, facets_on.values())
 }
 
 /// Whether so many facets hang together by the pairs that share an edge.

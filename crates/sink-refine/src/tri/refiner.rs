@@ -246,7 +246,7 @@ impl<'a> Refiner<'a> {
 
     /// Reports when many points have been tested since: there may be no insertions for long.
     fn report_tests(&mut self) -> Result<(), Stop> {
-        const STRIDE: usize = 1 << 12;
+        const STRIDE: usize = 1 << 8;
         if self.counters.tested >= self.reported + STRIDE {
             self.reported = self.counters.tested;
             self.meter.reach(self.counters.inserted)?;

@@ -3,15 +3,17 @@
 use crate::boundary::{TURN_TOLERANCE, is_acute, shell};
 use delaunay_core::{FacetId, Subcomplex3, TetId, VertexId};
 use glam::DVec3;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The creases of a boundary, as a graph on its vertices.
 #[derive(Clone, Debug)]
 pub(super) struct Creases {
+    edges: FxHashSet<[VertexId; 2]>,
     /// By vertex: the other ends of its creases.
     ends: FxHashMap<VertexId, Vec<VertexId>>,
     /// The largest angle of a smooth turn, in radians.
     smooth: f64,
+    is_flat: bool,
 }
 
 impl Creases {
@@ -19,12 +21,17 @@ impl Creases {
     pub(super) fn of(solid: &Subcomplex3, degrees: f64) -> Self {
         let smooth = degrees.to_radians() + TURN_TOLERANCE;
         let mut creases = Self {
+            edges: FxHashSet::default(),
             ends: FxHashMap::default(),
             smooth,
+            is_flat: degrees == 0.0,
         };
+        let mut facets_on: FxHashMap<[VertexId; 2], u32> = FxHashMap::default();
         for f in solid.boundary() {
             for (edge, beyond) in across_edges(solid, f) {
-                if turn(solid, f, beyond) > smooth {
+                let facets = facets_on.entry(in_order(edge)).or_default();
+                *facets += 1;
+                if *facets > 2 || turn(solid, f, beyond) > smooth {
                     creases.add(edge);
                 }
             }
@@ -32,22 +39,26 @@ impl Creases {
         creases
     }
 
-    pub(super) fn contain(&self, [a, b]: [VertexId; 2]) -> bool {
-        self.ends.get(&a).is_some_and(|ends| ends.contains(&b))
+    pub(super) fn contain(&self, edge: [VertexId; 2]) -> bool {
+        self.edges.contains(&in_order(edge))
     }
 
-    /// The directed edge `ab` is a crease from now on; it is met from both sides.
+    /// Whether what is between creases is flat.
+    pub(super) fn are_of_a_flat_surface(&self) -> bool {
+        self.is_flat
+    }
+
+    /// The edge is a crease from now on, if it was none.
     fn add(&mut self, [a, b]: [VertexId; 2]) {
-        for [from, to] in [[a, b], [b, a]] {
-            let ends = self.ends.entry(from).or_default();
-            if !ends.contains(&to) {
-                ends.push(to);
-            }
+        if self.edges.insert(in_order([a, b])) {
+            self.ends.entry(a).or_default().push(b);
+            self.ends.entry(b).or_default().push(a);
         }
     }
 
     /// The crease `ab` has been divided at `middle`.
     pub(super) fn divide(&mut self, [a, b]: [VertexId; 2], middle: VertexId) {
+        self.edges.remove(&in_order([a, b]));
         for [from, to] in [[a, b], [b, a]] {
             if let Some(ends) = self.ends.get_mut(&from) {
                 ends.retain(|end| *end != to);
@@ -70,6 +81,9 @@ impl Creases {
             [false, true] => return q - chord * shell(chord.length()),
             _ => {}
         }
+        if self.is_flat {
+            return p.midpoint(q);
+        }
         let leaving = self
             .tangent(solid, [b, a])
             .map_or(chord, |back| -back * chord.length());
@@ -84,7 +98,7 @@ impl Creases {
         let ends = self.ends.get(&a).into_iter().flatten();
         let along = |end: VertexId| solid.point(end) - solid.point(a);
         let mut others = ends.filter(|&&end| end != b);
-        others.any(|&end| is_acute(along(end).angle_between(along(b))))
+        others.any(|&end| is_acute(angle(along(end), along(b))))
     }
 
     /// The unit tangent at `b` of the curve that the crease from `a` to `b` is part of: that of the circle through three vertices;
@@ -97,7 +111,7 @@ impl Creases {
         };
         let [p, q, r] = [a, b, next].map(|v| solid.point(v));
         let [before, after] = [q - p, r - q];
-        let is_smooth = before.angle_between(after) <= self.smooth;
+        let is_smooth = angle(before, after) <= self.smooth;
         // Chords turn from the tangent in proportion to their lengths.
         let mean = before.normalize_or_zero() * after.length()
             + after.normalize_or_zero() * before.length();
@@ -125,11 +139,25 @@ pub(super) fn across_edges(
 
 /// The angle by which the boundary turns from one facet to the next, in radians.
 fn turn(solid: &Subcomplex3, f: FacetId, g: FacetId) -> f64 {
-    let [n, m] = [f, g].map(|facet| normal(solid.triangle(facet)));
-    n.angle_between(m)
+    let [n, m] = [f, g].map(|facet| unit_normal(solid.triangle(facet)));
+    n.cross(m).length().atan2(n.dot(m))
 }
 
-/// Outward, as long as twice the area.
-pub(super) fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
-    (b - a).cross(c - a)
+/// The angle between two vectors in radians.
+pub(super) fn angle(u: DVec3, v: DVec3) -> f64 {
+    let [u, v] = [u, v].map(DVec3::normalize_or_zero);
+    u.cross(v).length().atan2(u.dot(v))
+}
+
+/// Outward; zero when the triangle has no area.
+pub(super) fn unit_normal([a, b, c]: [DVec3; 3]) -> DVec3 {
+    // Scaled, lest products leave the range of doubles.
+    let largest = (b - a).abs().max((c - a).abs()).max_element();
+    ((b - a) / largest)
+        .cross((c - a) / largest)
+        .normalize_or_zero()
+}
+
+fn in_order([a, b]: [VertexId; 2]) -> [VertexId; 2] {
+    [a.min(b), a.max(b)]
 }

@@ -4,7 +4,7 @@
 //! divided when it is of low quality itself or too large, when it has a candidate inside its diametral sphere, or when the flow leaves through it; but first the
 //! [creases](creases) that the new vertex would be too near to. Smooth parts keep their [shape](patch).
 //!
-//! It ends: points inside keep the minimum separation, and points on the boundary a part of the size given there
+//! It ends: points inside keep a separation that is tested, the shortest edge of the tetrahedron or the size, and points on the boundary a part of the size given there
 //! ([`PARTS`](crate::boundary::PARTS)), so all vertices stay apart and there is room for finitely many.
 
 mod clearance;
@@ -17,7 +17,7 @@ use super::low::{large_boundary, skinny_boundary};
 use super::proposal::Rejection3;
 use super::refiner::Refiner;
 use crate::stop::Stop;
-use delaunay_core::measure::tetrahedron::circumcenter;
+use delaunay_core::measure::tetrahedron::{circumcenter, shortest_edge};
 use delaunay_core::{FacetId, TetId};
 use glam::DVec3;
 use split::Splitter;
@@ -60,8 +60,10 @@ impl Cure {
     fn insert_inside(&mut self, refiner: &mut Refiner<'_>, tet: TetId) -> Result<bool, Stop> {
         self.in_the_way.clear();
         self.list_candidates(refiner, tet);
+        let allowed = refiner.records.largest_radius(&refiner.solid, tet);
+        let separation = shortest_edge(refiner.solid.tetrahedron(tet)).min(allowed);
         for &(point, seed) in &self.candidates {
-            match refiner.propose(point, seed, 0.0) {
+            match refiner.propose(point, seed, separation) {
                 Ok(()) => return refiner.insert_proposed().map(|_| true),
                 Err(Rejection3::Encroaches(f)) => self.in_the_way.push(f),
                 Err(_) => {}

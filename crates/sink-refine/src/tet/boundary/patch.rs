@@ -4,9 +4,10 @@
 //! onto the tangent planes at the three corners, and moved half way toward the mean of the projections. Between facets of one plane that
 //! is the plane.
 
-use super::creases::{Creases, across_edges, normal};
+use super::creases::{Creases, across_edges, angle, unit_normal};
 use delaunay_core::{FacetId, Subcomplex3, VertexId};
 use glam::DVec3;
+use rustc_hash::FxHashSet;
 
 /// How far points move toward the mean of their projections. Half way they come onto the surface where it is a paraboloid, and
 /// so up to the third order everywhere; the authors, who want round contours, take three quarters.
@@ -51,9 +52,12 @@ pub(super) fn way_to(solid: &Subcomplex3, creases: &Creases, f: FacetId, p: DVec
 
 /// The barycentric coordinates of the projection of `p` onto the plane of a triangle; not numbers when it has no area.
 fn barycentric([a, b, c]: [DVec3; 3], p: DVec3) -> [f64; 3] {
-    let n = normal([a, b, c]);
-    let part = |from: DVec3, to: DVec3| normal([from, to, p]).dot(n) / n.length_squared();
-    [part(b, c), part(c, a), part(a, b)]
+    // Scaled, lest products leave the range of doubles.
+    let largest = (b - a).abs().max((c - a).abs()).max_element();
+    let [u, v, w] = [b - a, c - a, p - a].map(|arm| arm / largest);
+    let n = u.cross(v);
+    let [of_c, of_b] = [u.cross(w), w.cross(v)].map(|part| part.dot(n) / n.length_squared());
+    [1.0 - of_b - of_c, of_b, of_c]
 }
 
 /// Where the point with these barycentric coordinates is on the patch over a facet, and on the facet.
@@ -64,6 +68,9 @@ fn places(solid: &Subcomplex3, creases: &Creases, f: FacetId, shares: [f64; 3]) 
         .zip(shares)
         .map(|(&corner, share)| corner * share)
         .sum();
+    if creases.are_of_a_flat_surface() {
+        return [flat; 2];
+    }
     let vertices = solid.mesh().facet_vertices(f);
     let projections = (0..3).map(|i| {
         let n = normal_at(solid, creases, f, vertices[i]);
@@ -76,18 +83,19 @@ fn places(solid: &Subcomplex3, creases: &Creases, f: FacetId, shares: [f64; 3]) 
 /// their angles there.
 fn normal_at(solid: &Subcomplex3, creases: &Creases, f: FacetId, v: VertexId) -> DVec3 {
     let mut sheet = vec![f];
+    let mut met: FxHashSet<FacetId> = sheet.iter().copied().collect();
     let mut sum = DVec3::ZERO;
     let mut next = 0;
     while let Some(&facet) = sheet.get(next) {
         next += 1;
-        sum += normal(solid.triangle(facet)).normalize_or_zero() * angle_at(solid, facet, v);
+        sum += unit_normal(solid.triangle(facet)) * angle_at(solid, facet, v);
         for (edge, beyond) in across_edges(solid, facet) {
-            if edge.contains(&v) && !creases.contain(edge) && !sheet.contains(&beyond) {
+            if edge.contains(&v) && !creases.contain(edge) && met.insert(beyond) {
                 sheet.push(beyond);
             }
         }
     }
-    sum.normalize_or(normal(solid.triangle(f)).normalize_or_zero())
+    sum.normalize_or(unit_normal(solid.triangle(f)))
 }
 
 fn angle_at(solid: &Subcomplex3, f: FacetId, v: VertexId) -> f64 {
@@ -95,7 +103,7 @@ fn angle_at(solid: &Subcomplex3, f: FacetId, v: VertexId) -> f64 {
     let mut corners = solid.triangle(f);
     corners.rotate_left(vertices.iter().position(|&u| u == v).unwrap_or(0));
     let [a, b, c] = corners;
-    (b - a).angle_between(c - a)
+    angle(b - a, c - a)
 }
 
 #[cfg(test)]

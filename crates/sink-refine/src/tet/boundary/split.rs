@@ -6,7 +6,7 @@
 use super::super::proposal::Proposal;
 use super::super::refiner::Refiner;
 use super::clearance::{Clearance, Pull};
-use super::creases::{Creases, across_edges, normal};
+use super::creases::{Creases, across_edges, unit_normal};
 use super::patch::{Way, way_to};
 use crate::boundary::PARTS;
 use crate::stop::Stop;
@@ -16,6 +16,7 @@ use delaunay_core::geo_predicates::{
 use delaunay_core::measure::facet::circumcenter;
 use delaunay_core::{FacetId, Met, Subcomplex3, TetId, VertexId};
 use glam::DVec3;
+use rustc_hash::FxHashSet;
 
 /// A point so near to the plane of a facet, in parts of its longest edge, counts as in it.
 const FLAT: f64 = 1e-9;
@@ -63,6 +64,7 @@ impl Splitter {
         refiner: &mut Refiner<'_>,
         f: FacetId,
     ) -> Result<bool, Stop> {
+        refiner.count_test(None);
         let center = circumcenter(refiner.solid.triangle(f));
         match way_to(&refiner.solid, &self.creases, f, center) {
             Way::Crease(edge) => self.split_crease(refiner, edge),
@@ -78,7 +80,8 @@ impl Splitter {
         }
     }
 
-    /// Divides a boundary facet at a point, or first a crease that the point would be too near to; tells whether it did.
+    /// Divides a boundary facet at a point, or instead a crease that the point would be too near to, if one can be; tells whether it
+    /// did.
     fn split_at(
         &mut self,
         refiner: &mut Refiner<'_>,
@@ -158,9 +161,10 @@ impl Splitter {
         self.disk
             .extend(ghosts.map(|ghost| mesh.twin(ghost.facet(3))));
         self.rim.clear();
+        let on_disk: FxHashSet<FacetId> = self.disk.iter().copied().collect();
         for &f in &self.disk {
             let across = across_edges(solid, f);
-            let rim = across.filter(|(_, beyond)| !self.disk.contains(beyond));
+            let rim = across.filter(|(_, beyond)| !on_disk.contains(beyond));
             self.rim.extend(rim.map(|(edge, _)| edge));
         }
     }
@@ -234,7 +238,7 @@ fn gives_way(solid: &Subcomplex3, met: Met, p: DVec3) -> bool {
     let [a, b, c] = solid.triangle(met.facet);
     let longest = [b - a, c - b, a - c].map(DVec3::length);
     let longest = longest.into_iter().fold(0.0, f64::max);
-    let height = normal([a, b, c]).normalize_or_zero().dot(p - a);
+    let height = unit_normal([a, b, c]).dot(p - a);
     let is_flat = height.abs() <= FLAT * longest;
     let is_inside = in_diametral_ball(a, b, c, p) != Sign::Negative;
     match met.opens {

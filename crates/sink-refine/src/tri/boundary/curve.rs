@@ -18,6 +18,9 @@ pub(super) fn divide(region: &Subcomplex2, h: HalfEdgeId, smooth: f64) -> DVec2 
         [false, true] => return b - chord * shell(chord.length()),
         _ => {}
     }
+    if smooth == 0.0 {
+        return a.midpoint(b);
+    }
     let tangent = |before: DVec2, after: DVec2| {
         let is_smooth = before.angle_to(after).abs() <= smooth + TURN_TOLERANCE;
         // On a circle chords turn from the tangent in proportion to their lengths.

@@ -3,7 +3,7 @@
 //! What the tests of §5.1 have rejected is tried again, the worst triangle first. A boundary edge is divided when it is too long for the size asked for, when it has a candidate
 //! inside its diametral circle, or when the flow leaves through it. Smooth parts keep their [shape](curve).
 //!
-//! It ends: points inside keep the minimum separation, and points on the boundary a part of the size given there
+//! It ends: points inside keep a separation that is tested, the shortest edge of the triangle or the size, and points on the boundary a part of the size given there
 //! ([`PARTS`](crate::boundary::PARTS)), so all vertices stay apart and there is room for finitely many.
 
 mod clearance;
@@ -15,7 +15,7 @@ use super::low::long_edge;
 use super::proposal::Rejection2;
 use super::refiner::{Refiner, Urgency};
 use crate::stop::Stop;
-use delaunay_core::measure::triangle::circumcenter;
+use delaunay_core::measure::triangle::{circumcenter, shortest_edge};
 use delaunay_core::{FaceId, HalfEdgeId};
 use glam::DVec2;
 use split::Splitter;
@@ -56,8 +56,10 @@ impl Cure {
     fn insert_inside(&mut self, refiner: &mut Refiner<'_>, face: FaceId) -> Result<bool, Stop> {
         self.in_the_way.clear();
         self.list_candidates(refiner, face);
+        let allowed = refiner.records.largest_radius(&refiner.region, face);
+        let separation = shortest_edge(refiner.region.triangle(face)).min(allowed);
         for &(point, seed) in &self.candidates {
-            match refiner.propose(point, seed, 0.0) {
+            match refiner.propose(point, seed, separation) {
                 Ok(()) => return refiner.insert_proposed().map(|_| true),
                 Err(Rejection2::Encroaches(h)) => self.in_the_way.push(h),
                 Err(_) => {}

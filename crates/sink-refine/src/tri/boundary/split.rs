@@ -47,6 +47,8 @@ impl Splitter {
         let region = &refiner.region;
         let ends = region.segment(h);
         let point = divide(region, h, self.smooth);
+        refiner.count_test(None);
+        let region = &refiner.region;
         if !self.propose(refiner, h, point) {
             return Ok(false);
         }

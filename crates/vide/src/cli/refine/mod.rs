@@ -56,7 +56,7 @@ pub(crate) struct RefineArgs {
     boundary: method::AtBoundary,
     /// With --boundary split: where the boundary turns by up to DEG degrees it is smooth, and new vertices are put on a smooth curve
     /// or surface; elsewhere it has corners and creases, which stay [default: 30; in the plane 0: on the edges]
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", value_parser = method::parse_crease)]
     crease: Option<f64>,
     /// Afterwards make tetrahedra better whose smallest dihedral angle is below DEG degrees, or the largest above 180 - DEG, by
     /// exchanges, moves and new vertices inside: 20 is quick, 30 thorough. They need not be Delaunay then

@@ -1,6 +1,7 @@
 //! What a refinement did, as JSON for programs and as lines for people.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
+use std::hash::Hash;
 
 use serde::Serialize;
 use vide::delaunay_core::{FaceId, TetId, VertexId};
@@ -123,9 +124,10 @@ pub(super) fn of_solid(
     tets: &[TetId],
 ) -> Refinement {
     let mesh = outcome.solid.mesh();
+    let places = Places::of(tets);
     let numbers = Numbers::of(outcome.solid.points().len(), |v| mesh.home(v).is_some());
     let low = outcome.low.iter().map(|low| LowElement {
-        element: place(tets, low.tet),
+        element: places.of_element(low.tet),
         ratio: low.ratio,
         size: (low.size > 0.0).then_some(low.size),
         reason: low.reason.into(),
@@ -157,11 +159,12 @@ pub(super) fn of_region(
     faces: &[FaceId],
 ) -> Refinement {
     let mesh = outcome.region.mesh();
+    let places = Places::of(faces);
     let numbers = Numbers::of(outcome.region.points().len(), |v| {
         mesh.outgoing(v).is_some()
     });
     let low = outcome.low.iter().map(|low| LowElement {
-        element: place(faces, low.face),
+        element: places.of_element(low.face),
         ratio: low.ratio,
         size: (low.size > 0.0).then_some(low.size),
         reason: low.reason.into(),
@@ -203,8 +206,17 @@ impl Numbers {
     }
 }
 
-fn place<I: Copy + PartialEq>(order: &[I], id: I) -> usize {
-    order.iter().position(|other| *other == id).unwrap_or(0)
+/// Where each element is in the files written.
+struct Places<I>(HashMap<I, usize>);
+
+impl<I: Copy + Eq + Hash> Places<I> {
+    fn of(order: &[I]) -> Self {
+        Self(order.iter().copied().zip(0..).collect())
+    }
+
+    fn of_element(&self, id: I) -> usize {
+        self.0.get(&id).copied().unwrap_or(0)
+    }
 }
 
 impl Refinement {
