@@ -70,6 +70,7 @@ pub use error::{BuildError, InsertError, MoveError, RegularError, RemoveError};
 pub use geo_predicates;
 pub use ids::{FaceId, FacetId, HalfEdgeId, TetId, VertexId};
 pub use options::BuildOptions;
+pub use tet::{Across, Merge, WrappedTet, Wrapping};
 pub use tet::{
     Cavity3, CellCarver, Clipper, Complex3, ComplexError, ConvexPolyhedron, Delaunay3,
     FACET_CORNERS, Flip, FlipError, HalfSpace, HalfSpaceError, Location3, Met, Moments, Patch,

@@ -111,7 +111,7 @@ pub enum Coarsening {
     None,
     /// They are removed one by one.
     Removal,
-    /// Two at a time also become one: some tenth fewer elements for several times the time.
+    /// Two at a time also become one: some tenth fewer elements for up to twice the time.
     Merging,
 }
 

@@ -18,7 +18,12 @@ impl Quality {
 
     /// Whether r/l exceeds `bound`, or the element is too large.
     pub(crate) fn is_low(self, bound: f64) -> bool {
-        self.squared_ratio > bound * bound || self.squared_size > 1.0
+        self.squared_ratio > bound * bound || self.is_too_large()
+    }
+
+    /// Whether the element is too large.
+    pub(crate) fn is_too_large(self) -> bool {
+        self.squared_size > 1.0
     }
 
     /// The squared ratio; of an element that is worse for its size than for its ratio, the squared ratio that would be

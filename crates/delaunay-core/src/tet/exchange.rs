@@ -14,8 +14,8 @@ use crate::ids::{FacetId, TetId, VertexId};
 /// One side of a facet, found by its corners.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Side {
-    /// The corners in ascending order.
-    corners: [VertexId; 3],
+    /// The corners in ascending order, packed: those of dozens of facets are sorted.
+    corners: u128,
     /// Whether ascending is counterclockwise, seen from outside the tetrahedron of `facet`.
     ascending: bool,
     facet: FacetId,
@@ -30,8 +30,11 @@ impl Side {
                 ascending = !ascending;
             }
         }
+        let packed = corners
+            .into_iter()
+            .fold(0, |packed, v| packed << 32 | v.slot() as u128);
         Self {
-            corners,
+            corners: packed,
             ascending,
             facet,
         }
@@ -40,6 +43,14 @@ impl Side {
     fn is_twin_of(&self, other: &Self) -> bool {
         self.corners == other.corners && self.ascending != other.ascending
     }
+}
+
+/// An exchange to be made.
+pub(super) struct Plan {
+    /// The ids of the new tetrahedra.
+    pub(super) slots: Vec<TetId>,
+    /// The facets to be glued to each other, two of the new tetrahedra or one and one round the hole.
+    pub(super) pairs: Vec<(FacetId, FacetId)>,
 }
 
 impl TetMesh {
@@ -55,8 +66,30 @@ impl TetMesh {
         outer: &[FacetId],
         made: &[[VertexId; 4]],
     ) -> Option<Vec<TetId>> {
+        let plan = self.plan_exchange(gone, outer, made)?;
+        Some(self.carry_out(plan, gone, made))
+    }
+
+    /// How an [`exchange`](Self::exchange) would go; nothing changes.
+    pub(super) fn plan_exchange(
+        &self,
+        gone: &[TetId],
+        outer: &[FacetId],
+        made: &[[VertexId; 4]],
+    ) -> Option<Plan> {
         let slots = self.slots_for(gone, made.len())?;
         let pairs = self.pair(&slots, outer, made)?;
+        Some(Plan { slots, pairs })
+    }
+
+    /// Makes an exchange as planned; nothing has changed since.
+    pub(super) fn carry_out(
+        &mut self,
+        plan: Plan,
+        gone: &[TetId],
+        made: &[[VertexId; 4]],
+    ) -> Vec<TetId> {
+        let Plan { slots, pairs } = plan;
         for &t in gone.iter().skip(made.len()) {
             self.vacate(t);
         }
@@ -70,7 +103,7 @@ impl TetMesh {
         for (f, g) in pairs {
             self.glue(f, g);
         }
-        Some(slots)
+        slots
     }
 
     /// The ids that `count` tetrahedra in the place of `gone` get; nothing is taken yet.

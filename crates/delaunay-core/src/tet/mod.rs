@@ -6,10 +6,10 @@
 //! | the triangulation and read access | `delaunay.rs` |
 //! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs`, `table.rs` |
 //! | all points | `build.rs`, `simplex.rs`, `bulk/`; a few `grow.rs` |
-//! | one point less, or elsewhere | `remove.rs`, `movement.rs` |
+//! | one point less, or elsewhere | `remove.rs`, `movement.rs`, `wrapping.rs` |
 //! | a closed surface and what it encloses | `surface.rs`, `region.rs`, `sweep.rs`, `intersection.rs`, `projection.rs` |
 //! | tetrahedra made elsewhere | `boundary_of_tets.rs` |
-//! | a part with a boundary of its own | `subcomplex.rs`, `boundary_cavity.rs`; not Delaunay `complex.rs` |
+//! | a part with a boundary of its own | `subcomplex.rs`, `boundary_cavity.rs`, `patch.rs`, `merge.rs`; not Delaunay `complex.rs` |
 //! | weighted points | `regular/` |
 //! | points on a plane | `coplanar.rs` |
 //! | questions | `nearest.rs`, `hull.rs` |
@@ -42,10 +42,12 @@ mod hull;
 mod insert;
 mod intersection;
 mod locate;
+mod merge;
 mod mesh;
 mod moments;
 mod movement;
 mod nearest;
+mod patch;
 mod polyhedron;
 mod projection;
 mod region;
@@ -59,6 +61,7 @@ mod subcomplex;
 mod surface;
 mod sweep;
 mod table;
+mod wrapping;
 
 pub use around::{Ring, Star};
 pub use boundary_cavity::Met;
@@ -74,11 +77,14 @@ pub use flip::{Flip, FlipError};
 pub use half_space::{HalfSpace, HalfSpaceError};
 pub use intersection::triangles_intersect;
 pub use locate::Location3;
+pub use merge::Merge;
 pub use mesh::{FACET_CORNERS, TetMesh};
 pub use moments::Moments;
+pub use patch::Patch;
 pub use polyhedron::{ConvexPolyhedron, PolyhedronError, Side};
 pub use region::{Solid, SolidError};
 pub use regular::{Regular3, RegularViolation3};
 pub use rim::Clipper;
-pub use subcomplex::{Patch, Subcomplex3};
+pub use subcomplex::Subcomplex3;
 pub use surface::{Surface, SurfaceError};
+pub use wrapping::{Across, WrappedTet, Wrapping};

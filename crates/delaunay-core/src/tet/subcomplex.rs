@@ -13,7 +13,6 @@
 use super::cavity::Cavity3;
 use super::delaunay::Delaunay3;
 use super::mesh::TetMesh;
-use super::remove::Hole;
 use super::sight::Sight3;
 use crate::ids::{FacetId, TetId, VertexId};
 use geo_predicates::filter::Filter3;
@@ -47,33 +46,10 @@ pub struct Subcomplex3 {
     /// By vertex slot: the ghost in front, with coordinates that are not numbers.
     pub(super) coords: Vec<DVec3>,
     pub(super) mesh: TetMesh,
-    filter: Filter3,
+    pub(super) filter: Filter3,
     /// Ids of removed vertices, the last removed on top.
     pub(super) vacant: Vec<VertexId>,
     pub(super) vertex_count: usize,
-}
-
-/// What would fill the hole that a vertex leaves.
-#[derive(Clone, Debug)]
-pub struct Patch {
-    vertex: VertexId,
-    star: Vec<TetId>,
-    outer: Vec<FacetId>,
-    made: Vec<[VertexId; 4]>,
-}
-
-impl Patch {
-    /// The tetrahedra that would go: the star of the vertex.
-    #[must_use]
-    pub fn star(&self) -> &[TetId] {
-        &self.star
-    }
-
-    /// The corners of the tetrahedra that would come, right-handed.
-    #[must_use]
-    pub fn made(&self) -> &[[VertexId; 4]] {
-        &self.made
-    }
 }
 
 impl Subcomplex3 {
@@ -285,40 +261,11 @@ impl Subcomplex3 {
         Some(v)
     }
 
-    /// What would fill the hole if `v` were removed: the tetrahedra of its neighbours. Nothing changes.
-    ///
-    /// `None` when `v` is on the boundary or no vertex, when its neighbours lie on one plane, and where a boundary that
-    /// is not stable is so near that their Delaunay tetrahedra do not fill the hole.
-    #[must_use]
-    pub fn patch(&self, v: VertexId) -> Option<Patch> {
-        self.mesh.home(v)?;
-        let Hole { star, outer, real } = Hole::of(&self.mesh, v);
-        if star.iter().any(|&t| self.mesh.is_ghost_tet(t)) {
-            return None;
-        }
-        let link = Delaunay3::grow_few(real.iter().map(|&u| self.point(u))).ok()?;
-        let hole = Hole { star, outer, real };
-        let made = hole.cavity_in(&link, self.point(v));
-        let is_real = !made.iter().flatten().any(|v| v.is_ghost());
-        is_real.then_some(Patch {
-            vertex: v,
-            star: hole.star,
-            outer: hole.outer,
-            made,
-        })
-    }
-
-    /// Removes the vertex of a patch just found. Gives the new tetrahedra; `None`, with nothing changed, when they do
-    /// not fill the hole or ids run out.
-    pub fn remove(&mut self, patch: &Patch) -> Option<Vec<TetId>> {
-        let Patch {
-            star, outer, made, ..
-        } = patch;
-        let new = self.mesh.exchange(star, outer, made)?;
-        self.mesh.forget_vertex(patch.vertex);
-        self.vacant.push(patch.vertex);
+    /// Takes note that a vertex is gone.
+    pub(super) fn forget(&mut self, v: VertexId) {
+        self.mesh.forget_vertex(v);
+        self.vacant.push(v);
         self.vertex_count -= 1;
-        Some(new)
     }
 }
 

@@ -135,7 +135,7 @@ impl<'a> Records<'a> {
 
     /// Whether there is a tetrahedron of this id.
     pub(crate) fn is_there(&self, t: TetId) -> bool {
-        self.entries[t.index()].stamp != Stamp::NONE
+        self.stamp(t) != Stamp::NONE
     }
 
     pub(crate) fn stamp(&self, t: TetId) -> Stamp {

@@ -7,7 +7,7 @@ use crate::stamp::Stamp;
 use crate::stop::Stop;
 use crate::worklist::{Entry, Worklist};
 use delaunay_core::progress::Meter;
-use delaunay_core::{FacetId, Patch, Subcomplex3, TetId, VertexId};
+use delaunay_core::{FacetId, Merge, Patch, Subcomplex3, TetId, VertexId};
 use glam::DVec3;
 
 /// The state that all schedules share.
@@ -178,6 +178,32 @@ impl<'a> Refiner<'a> {
         self.examine(&tets)?;
         self.meter.advance()?;
         Ok(Some(tets))
+    }
+
+    /// Makes one vertex of two, see [`Subcomplex3::merge`]; tells whether it did, or nothing has changed.
+    ///
+    /// # Errors
+    /// When cancelled, or when a size is unusable.
+    pub(crate) fn merge(&mut self, pair: [VertexId; 2], merge: &Merge) -> Result<bool, Stop> {
+        let Some(tets) = self.solid.merge(pair, merge) else {
+            return Ok(false);
+        };
+        self.budget = self.budget.saturating_add(1);
+        self.counters.removed += 2;
+        self.counters.inserted += 1;
+        self.records.forget(merge.gone.iter().copied());
+        self.records.inherit(&tets, &merge.gone);
+        self.examine(&tets)?;
+        self.meter.advance()?;
+        Ok(true)
+    }
+
+    /// Reports that work goes on, though nothing has changed.
+    ///
+    /// # Errors
+    /// When cancelled.
+    pub(crate) fn pause(&mut self) -> Result<(), Stop> {
+        Ok(self.meter.advance()?)
     }
 
     /// Measures new tetrahedra and puts those of low quality on the worklist.

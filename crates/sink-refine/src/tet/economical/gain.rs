@@ -4,7 +4,6 @@ use super::super::proposal::Proposal;
 use super::super::records::Records;
 use delaunay_core::{Patch, Subcomplex3, TetId};
 use glam::DVec3;
-use std::ops::Add;
 
 /// Changes of the mesh that an exchange of tetrahedra would make.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -70,19 +69,6 @@ impl Gain {
         if quality.is_low(records.bound()) {
             self.low += 1;
             self.excess += quality.excess(records.bound());
-        }
-    }
-}
-
-impl Add for Gain {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self {
-            low: self.low + other.low,
-            tets: self.tets + other.tets,
-            excess: self.excess + other.excess,
-            largest: other.largest,
         }
     }
 }

@@ -5,9 +5,13 @@
 //! [curing](leftovers) because the number of low tetrahedra falls with each point, or dividing the [boundary]; [removal] and [merging] because the
 //! number of vertices does.
 
+mod forecast;
 mod gain;
 mod greedy;
+mod hole;
+mod hole_cavity;
 mod leftovers;
+mod marks;
 mod merging;
 mod off_center;
 mod removal;
