@@ -1,5 +1,8 @@
 //! The sizes of regions, kept by element while elements come and go.
 
+use crate::error::RefineError;
+use crate::sizing::RegionLimit;
+
 /// The size of the region that each element is in, by the index of the element; infinite where none is asked for.
 ///
 /// A cavity never crosses a boundary, so new elements inherit from those in whose place they are. The entry of an element
@@ -11,6 +14,28 @@ pub(crate) struct RegionSizes {
 }
 
 impl RegionSizes {
+    /// The regions of `limits`, each found from the element that `at` gives for its seed, over the `neighbors` of elements.
+    ///
+    /// # Errors
+    /// [`RefineError::RegionSize`], [`RefineError::RegionOutside`].
+    pub(crate) fn find<V: Copy, N: IntoIterator<Item = usize>>(
+        limits: &[RegionLimit<V>],
+        at: impl Fn(V) -> Option<usize>,
+        neighbors: impl Fn(usize) -> N,
+    ) -> Result<Self, RefineError> {
+        let mut regions = Self::default();
+        for (region, &RegionLimit { seed, size }) in limits.iter().enumerate() {
+            if size.is_nan() || size <= 0.0 {
+                return Err(RefineError::RegionSize { region, size });
+            }
+            if size < f64::INFINITY {
+                let seed = at(seed).ok_or(RefineError::RegionOutside { region })?;
+                regions.limit(seed, size, &neighbors);
+            }
+        }
+        Ok(regions)
+    }
+
     pub(crate) fn of(&self, element: usize) -> f64 {
         self.sizes.get(element).copied().unwrap_or(f64::INFINITY)
     }
@@ -27,7 +52,7 @@ impl RegionSizes {
     /// Limits the region that contains `seed`: all elements that `neighbors` leads to from there. Linear in their number.
     ///
     /// All of a region have one size, so the search does not enter a region again, nor one with a smaller size.
-    pub(crate) fn limit<N: IntoIterator<Item = usize>>(
+    fn limit<N: IntoIterator<Item = usize>>(
         &mut self,
         seed: usize,
         size: f64,

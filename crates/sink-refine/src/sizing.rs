@@ -12,8 +12,8 @@ use std::fmt;
 /// A sink or circumcenter inserted for such an element is farther from all vertices than that circumradius, since along the flow
 /// spheres grow; the off-centers of the economical method are tested to be. So where all sizes are at least h, the paper's methods
 /// make no edges shorter than the shortest one given or 0.57 h (0.61 h in space), whichever is less. So insertion ends, after a
-/// number of points that grows as 1/h² (1/h³ in space); the phases that follow in the economical method end as they do without sizes.
-/// [`Params::max_new_vertices`](crate::Params::max_new_vertices) and the report closure guard against sizes that are too
+/// number of points that grows as 1/h² (1/h³ in space); the phases that follow in the economical method end as they do without
+/// sizes. [`Params::max_new_vertices`](crate::Params::max_new_vertices) and the report closure guard against sizes that are too
 /// small to wait for.
 ///
 /// The boundary stays as it is: what lies on a part of it that is coarser than the size asked for stays too large, and is
@@ -36,8 +36,8 @@ use std::fmt;
 /// ```
 #[derive(Clone, Copy, Default)]
 pub struct Sizing<'a, V> {
-    /// The size asked for at a place: a positive number, or infinity for no limit. Asked at centroids of elements, on several threads;
-    /// the same place has to give the same size, or else the mesh is not the same each time. Any other answer ends the
+    /// The size asked for at a place: a positive number, or infinity for no limit. Asked at centroids of elements, on several
+    /// threads; the same place has to give the same size, or else the mesh is not the same each time. Any other answer ends the
     /// refinement with [`Stop::UnusableSize`](crate::Stop::UnusableSize).
     pub field: Option<&'a (dyn Fn(V) -> f64 + Sync)>,
     /// Limits of regions. Where there are several, or a field, the least size counts.

@@ -14,7 +14,8 @@ pub enum Stop {
     OutOfVertices,
     /// The ids of vertices or tetrahedra are used up.
     OutOfIds,
-    /// The sizing field has answered what is no size. Nothing more was inserted; elements there count as if no size had been asked for.
+    /// The sizing field has answered what is no size. Nothing more was inserted; elements there count as if no size had been
+    /// asked for.
     UnusableSize(UnusableSize),
     /// The report closure stopped the work.
     Cancelled(Cancelled),

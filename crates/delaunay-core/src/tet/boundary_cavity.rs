@@ -7,8 +7,8 @@
 //!    \/   \/
 //! ```
 //!
-//! A boundary facet of the disk whose tetrahedron is not in conflict with a point outside keeps it, and gets another one on top, as a
-//! facet of the convex hull does.
+//! A boundary facet of the disk whose tetrahedron is not in conflict with a point outside keeps it, and gets another one on
+//! top, as a facet of the convex hull does.
 //!
 //! Where the disk is flat and the point in its plane, the solid stays what it is. Otherwise it gains or loses what lies
 //! between the disk and the new triangles.
@@ -38,8 +38,9 @@ impl Subcomplex3 {
     /// Fills `cavity` with what has to give way when `p` becomes a vertex of the boundary: the tetrahedra in conflict with it,
     /// and the ghosts on a disk of boundary facets. `p` must be an accepted point.
     ///
-    /// The disk has the boundary facets `first`, one or two that share an edge, and those that hang together with them, as far as `joins`
-    /// says yes of them; of `first` it must say so too. The tetrahedra are those that hang together with that of the first facet.
+    /// The disk has the boundary facets `first`, one or two that share an edge, and those that hang together with them, as far
+    /// as `joins` says yes of them; of `first` it must say so too. The tetrahedra are those that hang together with that of the
+    /// first facet.
     ///
     /// The boundary may hide tetrahedra from the point: round a corner, or behind a wall. The cavity shrinks to those that
     /// the point sees, so that it sees every facet round it strictly from inside. Answers whether [`fill`](Self::fill) may
@@ -55,8 +56,8 @@ impl Subcomplex3 {
         mut joins: impl FnMut(Met) -> bool,
         cavity: &mut Cavity3,
     ) -> bool {
-        let sight = Sight3::new(self.places(), self.filter(), p);
-        let mesh = self.mesh();
+        let sight = Sight3::new(self.coords.as_slice(), self.filter, p);
+        let mesh = &self.mesh;
         let conflicts = |t: TetId| {
             let corners = mesh.tet_vertices(t);
             !corners[3].is_ghost() && sight.in_real_conflict(corners)
@@ -71,11 +72,11 @@ impl Subcomplex3 {
         };
         cavity.assign(&[], &[]);
         if conflicts(seed) {
-            cavity.dig(mesh, self.places(), seed, conflicts);
+            cavity.dig(mesh, &self.coords, seed, conflicts);
         }
         loop {
             let joins = |met: Met| (met.opens || !is_unseen(met.facet)) && joins(met);
-            let Some(disk) = disk(mesh, cavity, first, joins) else {
+            let Some(disk) = self.disk(cavity, first, joins) else {
                 return false;
             };
             let facets = disk.len();
@@ -92,46 +93,40 @@ impl Subcomplex3 {
             shrink(mesh, cavity, seed, &hidden);
         }
     }
-}
 
-/// The ghosts on the disk; `None` when not all of `first` join it.
-fn disk(
-    mesh: &TetMesh,
-    cavity: &Cavity3,
-    first: &[FacetId],
-    mut joins: impl FnMut(Met) -> bool,
-) -> Option<Vec<TetId>> {
-    let outside: FxHashSet<TetId> = cavity.boundary.iter().map(|f| f.tet()).collect();
-    let mut joins = |ghost: TetId, across| {
-        joins(Met {
-            facet: mesh.twin(ghost.facet(3)),
-            across,
-            opens: outside.contains(&ghost),
-        })
-    };
-    let mut disk: Vec<TetId> = first.iter().map(|&f| mesh.twin(f).tet()).collect();
-    if !disk.iter().all(|&ghost| joins(ghost, None)) {
-        return None;
-    }
-    let mut met: FxHashSet<TetId> = disk.iter().copied().collect();
-    let mut next = 0;
-    while let Some(&ghost) = disk.get(next) {
-        next += 1;
-        for side in ghost.facets().into_iter().take(3) {
-            let beyond = mesh.twin(side).tet();
-            let [a, b, c] = mesh.facet_vertices(side);
-            let edge = match [a, b, c].map(VertexId::is_ghost) {
-                [true, ..] => [b, c],
-                [_, true, _] => [c, a],
-                _ => [a, b],
-            };
-            if !met.contains(&beyond) && joins(beyond, Some(edge)) {
-                met.insert(beyond);
-                disk.push(beyond);
+    /// The ghosts on the disk; `None` when not all of `first` join it.
+    fn disk(
+        &self,
+        cavity: &Cavity3,
+        first: &[FacetId],
+        mut joins: impl FnMut(Met) -> bool,
+    ) -> Option<Vec<TetId>> {
+        let ghost_on = |f: FacetId| self.mesh.twin(f).tet();
+        let outside: FxHashSet<TetId> = cavity.boundary.iter().map(|f| f.tet()).collect();
+        let mut joins = |facet, across| {
+            joins(Met {
+                facet,
+                across,
+                opens: outside.contains(&ghost_on(facet)),
+            })
+        };
+        if !first.iter().all(|&f| joins(f, None)) {
+            return None;
+        }
+        let mut disk = first.to_vec();
+        let mut on_disk: FxHashSet<FacetId> = disk.iter().copied().collect();
+        let mut next = 0;
+        while let Some(&f) = disk.get(next) {
+            next += 1;
+            for (edge, beyond) in self.across_edges(f) {
+                if !on_disk.contains(&beyond) && joins(beyond, Some(edge)) {
+                    on_disk.insert(beyond);
+                    disk.push(beyond);
+                }
             }
         }
+        Some(disk.into_iter().map(ghost_on).collect())
     }
-    Some(disk)
 }
 
 /// Adds the ghosts of a disk to a cavity that ends at them.
@@ -180,13 +175,13 @@ fn shrink(mesh: &TetMesh, cavity: &mut Cavity3, seed: TetId, hidden: &FxHashSet<
     cavity.boundary.extend(outer);
 }
 
-/// Whether the facets round the cavity make one sphere, and have all vertices of the cavity on them, those of the boundary with a ghost:
-/// then the cone from a point over that sphere can take its place, and no vertex is lost or leaves the boundary.
+/// Whether the facets round the cavity make one sphere, and have all vertices of the cavity on them, those of the boundary with
+/// a ghost: then the cone from a point over that sphere can take its place, and no vertex is lost or leaves the boundary.
 ///
 /// Edges with two facets each make a surface, up to vertices where parts of it touch. When it is connected, Euler's
 /// characteristic is 2 for a sphere only: handles make it less, and so do vertices where it touches itself. For the same reason the
-/// facets that go, all corners of which are on their rim, are a disk when the rim has two edges more than there are facets: a handle,
-/// which the new vertex would close, makes it shorter.
+/// facets that go, all corners of which are on their rim, are a disk when the rim has two edges more than there are facets: a
+/// handle, which the new vertex would close, makes it shorter.
 fn is_sphere_round_all(mesh: &TetMesh, cavity: &Cavity3, disk: usize) -> bool {
     let mut facets_on: FxHashMap<[VertexId; 2], Vec<usize>> = FxHashMap::default();
     let mut vertices: FxHashSet<VertexId> = FxHashSet::default();

@@ -25,10 +25,11 @@ pub struct Merge {
 impl Subcomplex3 {
     /// Makes one vertex of two: `u` moves, and `v` goes. Gives the ids of the new tetrahedra.
     ///
-    /// `None`, with nothing changed, unless the new tetrahedra are right-handed, fill the place of those gone, have all corners of theirs but
-    /// `v`, and are Delaunay, among themselves and with the tetrahedra round them; when `u` or `v` is a corner of a tetrahedron
-    /// that stays; when the point is not accepted; and when ids run out. Whether the point is inside the diametral sphere of a
-    /// boundary facet is not asked. Exact. Takes time proportional to the number of tetrahedra, times its logarithm.
+    /// `None`, with nothing changed, unless the new tetrahedra are right-handed, fill the place of those gone, have all corners
+    /// of theirs but `v`, and are Delaunay, among themselves and with the tetrahedra round them; when `u` or `v` is a corner of
+    /// a tetrahedron that stays; when the point is not accepted; and when ids run out. Whether the point is inside the
+    /// diametral sphere of a boundary facet is not asked. Exact. Takes time proportional to the number of tetrahedra, times its
+    /// logarithm.
     pub fn merge(&mut self, [u, v]: [VertexId; 2], merge: &Merge) -> Option<Vec<TetId>> {
         let Merge { point, gone, made } = merge;
         check_point3(0, *point).ok()?;

@@ -1,7 +1,8 @@
 //! Removal of a vertex of a subcomplex, in two steps: what would fill its place is found first, and may be judged.
 //!
-//! The hole is [wrapped](Wrapping) in rounded numbers, which exact signs check. Where that does not do, because points are on a common
-//! sphere or the boundary is not stable, the neighbours are triangulated with exact signs, as in [`remove`](super::remove).
+//! The hole is [wrapped](Wrapping) in rounded numbers, which exact signs check. Where that does not do, because points are on a
+//! common sphere or the boundary is not stable, the neighbours are triangulated with exact signs, as in
+//! [`remove`](super::remove).
 
 use super::delaunay::Delaunay3;
 use super::remove::Hole;
@@ -46,8 +47,8 @@ impl Subcomplex3 {
         self.patch_within(v, |_| true)
     }
 
-    /// As [`patch`](Self::patch), but gives up with `None` at the first tetrahedron that is not `open`; not all of those asked about
-    /// need be in the patch.
+    /// As [`patch`](Self::patch), but gives up with `None` at the first tetrahedron that is not `open`; not all of those asked
+    /// about need be in the patch.
     #[must_use]
     pub fn patch_within(
         &self,
@@ -111,8 +112,8 @@ impl Subcomplex3 {
         Some(is_delaunay.then_some(made).ok_or(Failed))
     }
 
-    /// Whether tetrahedra that fill a hole are right-handed, and Delaunay across all their facets that are no boundary; they have the corners
-    /// `made`. Exact.
+    /// Whether tetrahedra that fill a hole are right-handed, and Delaunay across all their facets that are no boundary; they
+    /// have the corners `made`. Exact.
     fn are_delaunay(&self, tets: &[WrappedTet], made: &[[VertexId; 4]], outer: &[FacetId]) -> bool {
         let is_empty = |corners: [VertexId; 4], across: Across| match across {
             Across::Tet(other) => {

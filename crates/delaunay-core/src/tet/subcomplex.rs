@@ -145,15 +145,6 @@ impl Subcomplex3 {
         self.mesh.facet_vertices(f).map(|v| self.coords[v.slot()])
     }
 
-    /// By vertex slot.
-    pub(super) fn places(&self) -> &[DVec3] {
-        &self.coords
-    }
-
-    pub(super) fn filter(&self) -> Filter3 {
-        self.filter
-    }
-
     /// Tetrahedra and how they are glued, ghosts included.
     #[must_use]
     pub fn mesh(&self) -> &TetMesh {
@@ -177,6 +168,31 @@ impl Subcomplex3 {
     #[inline]
     pub fn is_boundary(&self, f: FacetId) -> bool {
         self.mesh.is_ghost_tet(self.mesh.twin(f).tet())
+    }
+
+    /// The boundary facet of a ghost, from inside.
+    ///
+    /// # Panics
+    /// When there is no tetrahedron `ghost`.
+    #[must_use]
+    #[inline]
+    pub fn facet_under(&self, ghost: TetId) -> FacetId {
+        self.mesh.twin(ghost.facet(3))
+    }
+
+    /// The edges of the boundary facet `f`, each with the boundary facet that follows round it through what is outside.
+    ///
+    /// # Panics
+    /// When there is no facet `f`.
+    pub fn across_edges(&self, f: FacetId) -> impl Iterator<Item = ([VertexId; 2], FacetId)> {
+        let mesh = &self.mesh;
+        let sides = mesh.twin(f).tet().facets().into_iter().take(3);
+        sides.map(|side| {
+            let corners = mesh.facet_vertices(side).into_iter();
+            let mut ends = corners.filter(|v| !v.is_ghost());
+            let edge = [(); 2].map(|()| ends.next().unwrap_or(VertexId::GHOST));
+            (edge, self.facet_under(mesh.twin(side).tet()))
+        })
     }
 
     /// Whether the circumcenter of a tetrahedron lies strictly beyond its facet `f`. Exact.

@@ -91,9 +91,9 @@ enum Behind {
 impl Wrapping {
     /// Fills the hole between `facets`, whose corners among `points` are counterclockwise as seen from outside the hole.
     ///
-    /// `None` when the tetrahedra do not close up, when `accept` does not accept one of them as soon as it is found, and when there are
-    /// more than 1024 points. Takes time proportional to the number of points times the number of
-    /// tetrahedra, of which there are at most four for each facet.
+    /// `None` when the tetrahedra do not close up, when `accept` does not accept one of them as soon as it is found, and when
+    /// there are more than 1024 points. Takes time proportional to the number of points times the number of tetrahedra, of
+    /// which there are at most four for each facet.
     ///
     /// # Panics
     /// When a corner is beyond all points.

@@ -17,10 +17,10 @@ impl Subcomplex2 {
     /// `h`: the triangles in conflict with it that are connected with that of `h`, and the ghost on `h`. `p` must be an
     /// accepted point.
     ///
-    /// Answers whether [`fill`](Self::fill) may follow: `p` is in conflict with the triangle of `h` and sees every edge round the cavity, but `h`,
-    /// strictly from inside. The cavity is of no use otherwise. Where `p` is on `h` the region stays what it is; else it gains or loses
-    /// the triangle between. Whether the halves of the edge cross others of the boundary is not known here, see
-    /// [`segments_cross`](super::segments_cross). Exact. Takes time proportional to the size of the cavity.
+    /// Answers whether [`fill`](Self::fill) may follow: `p` is in conflict with the triangle of `h` and sees every edge round
+    /// the cavity, but `h`, strictly from inside. The cavity is of no use otherwise. Where `p` is on `h` the region stays what
+    /// it is; else it gains or loses the triangle between. Whether the halves of the edge cross others of the boundary is not
+    /// known here, see [`segments_cross`](super::segments_cross). Exact. Takes time proportional to the size of the cavity.
     #[must_use]
     pub fn dig_on(&self, p: DVec2, h: HalfEdgeId, cavity: &mut Cavity) -> bool {
         let mesh = self.mesh();

@@ -6,6 +6,7 @@
 //! A tetrahedron has at most two successors. Along the flow the circumradius grows; it stays the same only between
 //! tetrahedra of one sphere, which have one center and are crossed toward it. So the flow never runs in circles.
 
+use super::marks::Marks;
 use delaunay_core::measure::tetrahedron::circumcenter;
 use delaunay_core::{FacetId, Subcomplex3, TetId};
 use glam::DVec3;
@@ -77,9 +78,7 @@ pub fn sink(solid: &Subcomplex3, t: TetId) -> DVec3 {
 #[derive(Clone, Debug, Default)]
 pub struct FlowWalk {
     passed: Vec<TetId>,
-    /// By tetrahedron: the walk that passed it last.
-    seen: Vec<u32>,
-    walks: u32,
+    seen: Marks,
     sinks: Vec<TetId>,
     leaves: bool,
 }
@@ -101,7 +100,8 @@ impl FlowWalk {
         t: TetId,
         flow: impl Fn(TetId) -> FlowFacets,
     ) -> &[TetId] {
-        self.start(solid.mesh().tet_slots());
+        self.seen.clear(solid.mesh().tet_slots());
+        self.passed.clear();
         self.passed.push(t);
         self.sinks.clear();
         self.leaves = false;
@@ -115,8 +115,7 @@ impl FlowWalk {
             for successor in facets.successors(solid, here) {
                 match successor {
                     Successor3::Tet(beyond) => {
-                        let seen = &mut self.seen[beyond.index()];
-                        if std::mem::replace(seen, self.walks) != self.walks {
+                        if self.seen.mark(beyond) {
                             self.passed.push(beyond);
                         }
                     }
@@ -133,20 +132,6 @@ impl FlowWalk {
         self.sinks.clear();
         self.sinks.push(t);
         &self.sinks
-    }
-
-    /// Forgets the last walk.
-    fn start(&mut self, slots: usize) {
-        self.passed.clear();
-        self.walks = self.walks.wrapping_add(1);
-        if self.walks == 0 {
-            self.seen.fill(0);
-            self.walks = 1;
-        }
-        // Every insertion brings new slots: what is known of the others stays, else each walk would take time for the whole mesh.
-        if self.seen.len() < slots {
-            self.seen.resize(slots, 0);
-        }
     }
 
     /// Whether some of the flow followed last leaves through the boundary.

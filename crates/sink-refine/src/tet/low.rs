@@ -23,8 +23,8 @@ pub struct Low3 {
 /// Why a tetrahedron of low quality is left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason3 {
-    /// A facet of it is on the boundary, and the ratio or the circumradius of that triangle alone is too large: no tetrahedron on it
-    /// has a smaller one.
+    /// A facet of it is on the boundary, and the ratio or the circumradius of that triangle alone is too large: no tetrahedron
+    /// on it has a smaller one.
     BoundaryTriangle(FacetId),
     /// Its sinks and its circumcenter are inside diametral spheres of boundary facets, this one among them. When
     /// they might be divided: these have been as far as they may be.

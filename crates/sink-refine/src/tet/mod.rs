@@ -24,6 +24,7 @@ mod flow;
 mod flow_graph;
 mod independence;
 mod low;
+mod marks;
 mod proposal;
 mod records;
 mod refine;

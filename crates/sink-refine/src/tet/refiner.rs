@@ -290,7 +290,8 @@ impl<'a> Refiner<'a> {
         self.worklist.resume(|id| self.records.stamp(id));
     }
 
-    /// Lists a tetrahedron of the time of `stamp` again when something was inserted for it, else puts it aside; not when it is gone.
+    /// Lists a tetrahedron of the time of `stamp` again when something was inserted for it, else puts it aside; not when it is
+    /// gone.
     pub(crate) fn put_back(&mut self, tet: TetId, stamp: Stamp, inserted: bool) {
         if self.records.stamp(tet) == stamp {
             match inserted {

@@ -9,9 +9,8 @@ use std::f64::consts::PI;
 /// How near vertices are to each other, and how many there can be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Separation3 {
-    /// Length of the shortest edge before: δ. The paper's method never makes a shorter one, unless the boundary may be divided, when δ is
-    /// an eighth of it, or a smaller size is asked for:
-    /// then none is shorter than √6/4 times the least size.
+    /// Length of the shortest edge before: δ. The paper's method never makes a shorter one, unless the boundary may be divided,
+    /// when δ is an eighth of it, or a smaller size is asked for: then none is shorter than √6/4 times the least size.
     pub given: f64,
     /// Length of the shortest edge after.
     pub reached: f64,

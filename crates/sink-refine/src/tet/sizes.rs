@@ -24,19 +24,9 @@ impl<'a> Sizes<'a> {
     /// # Errors
     /// [`RefineError::RegionSize`], [`RefineError::RegionOutside`].
     pub(crate) fn of(solid: &Subcomplex3, sizing: &Sizing<'a, DVec3>) -> Result<Self, RefineError> {
-        let mut regions = RegionSizes::default();
-        for (index, limit) in sizing.regions.iter().enumerate() {
-            let size = limit.size;
-            if size.is_nan() || size <= 0.0 {
-                let region = index;
-                return Err(RefineError::RegionSize { region, size });
-            }
-            if size < f64::INFINITY {
-                let seed = tet_at(solid, limit.seed);
-                let seed = seed.ok_or(RefineError::RegionOutside { region: index })?;
-                regions.limit(seed.index(), size, |t| neighbors(solid, TetId::new(t)));
-            }
-        }
+        let at = |seed| tet_at(solid, seed).map(TetId::index);
+        let neighbors = |index| neighbors(solid, TetId::new(index));
+        let regions = RegionSizes::find(sizing.regions, at, neighbors)?;
         let sizing = *sizing;
         Ok(Self { sizing, regions })
     }

@@ -64,8 +64,8 @@ impl Watersheds {
     /// The sink tetrahedra in which flows from tetrahedra of low quality end, each with how bad the worst of those is; in no
     /// order.
     ///
-    /// Every tetrahedron on the way is passed once, after its predecessors: takes time linear in the number of all tetrahedra, most of
-    /// it on all threads.
+    /// Every tetrahedron on the way is passed once, after its predecessors: takes time linear in the number of all tetrahedra,
+    /// most of it on all threads.
     pub(crate) fn sinks(
         &mut self,
         solid: &Subcomplex3,

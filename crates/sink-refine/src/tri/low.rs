@@ -25,8 +25,8 @@ pub enum Reason2 {
     /// At this corner it fills the whole angle between two boundary edges, and that angle is too small: no triangle there
     /// has a smaller ratio.
     BoundaryAngle(VertexId),
-    /// This edge of it is on the boundary and longer than twice the circumradius that the size asked for allows: every triangle on it
-    /// is too large.
+    /// This edge of it is on the boundary and longer than twice the circumradius that the size asked for allows: every triangle
+    /// on it is too large.
     BoundaryEdge(HalfEdgeId),
     /// Its sink and its circumcenter are inside diametral circles of boundary edges, this one among them. When
     /// they might be divided: these have been as far as they may be.

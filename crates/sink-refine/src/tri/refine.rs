@@ -10,7 +10,7 @@ use super::separation::{Separation2, shortest_edge, vertex_bound};
 use super::sizes::Sizes;
 use crate::error::RefineError;
 use crate::history::{Counters, Round};
-use crate::params::{Boundary, Candidate, Method, Params, Schedule};
+use crate::params::{Method, Params};
 use crate::sizing::Sizing2;
 use crate::stop::Stop;
 use delaunay_core::Subcomplex2;
@@ -36,7 +36,7 @@ pub struct Outcome2 {
 }
 
 /// Improves the triangles of `region` by inserting points. The boundary stays as it is, unless
-/// [`Boundary::Split`] is asked for.
+/// [`Boundary::Split`](crate::Boundary::Split) is asked for.
 ///
 /// The same input gives the same mesh, bit for bit, for any number of threads; the parallel schedule uses those of the
 /// current rayon pool. Inserted vertices have ids from the number of given points on. Every point of the paper's method
@@ -96,7 +96,8 @@ pub fn refine2_sized(
         Method::Paper {
             candidate,
             schedule,
-        } => paper(&mut refiner, candidate, schedule, params.boundary),
+        } => schedule::run(&mut refiner, candidate, schedule)
+            .and_then(|()| boundary::run(&mut refiner, params.boundary)),
         Method::Economical(coarsening) => {
             economical::run(&mut refiner, coarsening, params.boundary)
         }
@@ -131,17 +132,4 @@ pub fn refine2_sized(
         low,
         separation,
     })
-}
-
-fn paper(
-    refiner: &mut Refiner<'_>,
-    candidate: Candidate,
-    schedule: Schedule,
-    at: Boundary,
-) -> Result<(), Stop> {
-    schedule::run(refiner, candidate, schedule)?;
-    match at {
-        Boundary::Keep => Ok(()),
-        Boundary::Split { crease } => boundary::run(refiner, crease),
-    }
 }

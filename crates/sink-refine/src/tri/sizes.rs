@@ -27,19 +27,9 @@ impl<'a> Sizes<'a> {
         region: &Subcomplex2,
         sizing: &Sizing<'a, DVec2>,
     ) -> Result<Self, RefineError> {
-        let mut regions = RegionSizes::default();
-        for (index, limit) in sizing.regions.iter().enumerate() {
-            let size = limit.size;
-            if size.is_nan() || size <= 0.0 {
-                let region = index;
-                return Err(RefineError::RegionSize { region, size });
-            }
-            if size < f64::INFINITY {
-                let seed = face_at(region, limit.seed);
-                let seed = seed.ok_or(RefineError::RegionOutside { region: index })?;
-                regions.limit(seed.index(), size, |f| neighbors(region, FaceId::new(f)));
-            }
-        }
+        let at = |seed| face_at(region, seed).map(FaceId::index);
+        let neighbors = |index| neighbors(region, FaceId::new(index));
+        let regions = RegionSizes::find(sizing.regions, at, neighbors)?;
         let sizing = *sizing;
         Ok(Self { sizing, regions })
     }

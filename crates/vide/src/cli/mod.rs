@@ -40,8 +40,8 @@ enum Command {
     /// Better tetrahedra for a solid, by points inserted within a boundary that stays as it is
     ///
     /// Points are inserted until no tetrahedron has a circumradius of more than R times its shortest edge, or no point may be
-    /// inserted; with --size also until none is too large. Of given tetrahedra the triangles of the boundary and all vertices are kept; the tetrahedra themselves are
-    /// made anew: those of the Delaunay triangulation of the vertices that are inside.
+    /// inserted; with --size also until none is too large. Of given tetrahedra the triangles of the boundary and all vertices
+    /// are kept; the tetrahedra themselves are made anew: those of the Delaunay triangulation of the vertices that are inside.
     Refine(refine::RefineArgs),
 }
 

@@ -1,8 +1,8 @@
 //! Figure 3: the graph of φ over the USA data, with values that decrease from bottom to top (§3.2).
 //!
 //! It is seen from the south and from above, in parallel projection. Strips from west to east are drawn from the farthest to the
-//! nearest, so that what is near covers what is behind it. A strip is cut along triangles, and where its shade changes; creases between
-//! the paraboloids stay sharp.
+//! nearest, so that what is near covers what is behind it. A strip is cut along triangles, and where its shade changes; creases
+//! between the paraboloids stay sharp.
 
 use delaunay_core::measure::triangle::circumcenter;
 use delaunay_core::{Delaunay2, FaceId, HalfEdgeId, Subcomplex2};

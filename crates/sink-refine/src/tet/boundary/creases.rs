@@ -1,7 +1,7 @@
 //! Creases: edges of the boundary at which it turns by more than an angle. Between them it is smooth.
 
 use crate::boundary::{TURN_TOLERANCE, is_acute, shell};
-use delaunay_core::{FacetId, Subcomplex3, TetId, VertexId};
+use delaunay_core::{FacetId, Subcomplex3, VertexId};
 use glam::DVec3;
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -28,7 +28,7 @@ impl Creases {
         };
         let mut facets_on: FxHashMap<[VertexId; 2], u32> = FxHashMap::default();
         for f in solid.boundary() {
-            for (edge, beyond) in across_edges(solid, f) {
+            for (edge, beyond) in solid.across_edges(f) {
                 let facets = facets_on.entry(in_order(edge)).or_default();
                 *facets += 1;
                 if *facets > 2 || turn(solid, f, beyond) > smooth {
@@ -71,8 +71,8 @@ impl Creases {
     /// The place that divides a crease.
     ///
     /// In the middle; but from a vertex where another crease is near, at a power of two, so that both are divided at the same
-    /// distances and do not make each other be divided again (Ruppert 1995, concentric shells). Where creases go on smoothly not on the
-    /// chord but on the cubic Hermite curve between its ends, with speed |ab| along the tangents there.
+    /// distances and do not make each other be divided again (Ruppert 1995, concentric shells). Where creases go on smoothly
+    /// not on the chord but on the cubic Hermite curve between its ends, with speed |ab| along the tangents there.
     pub(super) fn middle(&self, solid: &Subcomplex3, [a, b]: [VertexId; 2]) -> DVec3 {
         let [p, q] = [a, b].map(|v| solid.point(v));
         let chord = q - p;
@@ -117,24 +117,6 @@ impl Creases {
             + after.normalize_or_zero() * before.length();
         is_smooth.then(|| mean.normalize_or_zero())
     }
-}
-
-/// The edges of a boundary facet, each with the boundary facet on the other side, round what is outside.
-pub(super) fn across_edges(
-    solid: &Subcomplex3,
-    f: FacetId,
-) -> impl Iterator<Item = ([VertexId; 2], FacetId)> {
-    let mesh = solid.mesh();
-    let ghost = mesh.twin(f).tet();
-    ghost.facets().into_iter().take(3).map(move |side| {
-        let beyond: TetId = mesh.twin(side).tet();
-        let mut ends = mesh
-            .facet_vertices(side)
-            .into_iter()
-            .filter(|v| !v.is_ghost());
-        let edge = [(); 2].map(|()| ends.next().unwrap_or(VertexId::GHOST));
-        (edge, mesh.twin(beyond.facet(3)))
-    })
 }
 
 /// The angle by which the boundary turns from one facet to the next, in radians.

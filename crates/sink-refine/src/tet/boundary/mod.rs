@@ -1,11 +1,13 @@
 //! The boundary is divided where it is in the way, beyond the paper, which keeps it.
 //!
 //! What the tests of §5.1 have rejected is tried again, the worst tetrahedron first. A boundary facet is
-//! divided when it is of low quality itself or too large, when it has a candidate inside its diametral sphere, or when the flow leaves through it; but first the
-//! [creases](creases) that the new vertex would be too near to. Smooth parts keep their [shape](patch).
+//! divided when it is of low quality itself or too large, when it has a candidate inside its diametral sphere, or when the flow
+//! leaves through it; but first the [creases](creases) that the new vertex would be too near to. Smooth parts keep their
+//! [shape](patch).
 //!
-//! It ends: points inside keep a separation that is tested, the shortest edge of the tetrahedron or the size, and points on the boundary a part of the size given there
-//! ([`PARTS`](crate::boundary::PARTS)), so all vertices stay apart and there is room for finitely many.
+//! It ends: points inside keep a separation that is tested, the shortest edge of the tetrahedron or the size, and points on the
+//! boundary a part of the size given there ([`PARTS`](crate::boundary::PARTS)), so all vertices stay apart and there is room
+//! for finitely many.
 
 mod clearance;
 mod creases;
@@ -16,18 +18,21 @@ use super::flow::{FlowWalk, Successor3, sink};
 use super::low::{large_boundary, skinny_boundary};
 use super::proposal::Rejection3;
 use super::refiner::Refiner;
+use crate::params::Boundary;
 use crate::stop::Stop;
 use delaunay_core::measure::tetrahedron::{circumcenter, shortest_edge};
 use delaunay_core::{FacetId, TetId};
 use glam::DVec3;
 use split::Splitter;
 
-/// Improves what is left of low quality by dividing the boundary, which is creased where it turns by more than so many
-/// degrees.
+/// Improves what is left of low quality by dividing the boundary, if that is allowed.
 ///
 /// # Errors
 /// Why it ended before nothing more could be done.
-pub(crate) fn run(refiner: &mut Refiner<'_>, crease: f64) -> Result<(), Stop> {
+pub(crate) fn run(refiner: &mut Refiner<'_>, at: Boundary) -> Result<(), Stop> {
+    let Boundary::Split { crease } = at else {
+        return Ok(());
+    };
     let mut cure = Cure {
         splitter: Splitter::new(&refiner.solid, crease),
         walk: FlowWalk::default(),

@@ -1,10 +1,10 @@
 //! Where the smooth surface is that the boundary facets stand for.
 //!
 //! Over each facet it is the quadratic patch of Boubekeur and Alexa 2008 (Phong tessellation): a point of the facet is projected
-//! onto the tangent planes at the three corners, and moved half way toward the mean of the projections. Between facets of one plane that
-//! is the plane.
+//! onto the tangent planes at the three corners, and moved half way toward the mean of the projections. Between facets of one
+//! plane that is the plane.
 
-use super::creases::{Creases, across_edges, angle, unit_normal};
+use super::creases::{Creases, angle, unit_normal};
 use delaunay_core::{FacetId, Subcomplex3, VertexId};
 use glam::DVec3;
 use rustc_hash::FxHashSet;
@@ -39,7 +39,7 @@ pub(super) fn way_to(solid: &Subcomplex3, creases: &Creases, f: FacetId, p: DVec
         if shares[least] >= 0.0 {
             return Way::Facet(here, places(solid, creases, here, shares));
         }
-        let mut across = across_edges(solid, here);
+        let mut across = solid.across_edges(here);
         let opposite = across.find(|(edge, _)| !edge.contains(&corners[least]));
         match opposite {
             Some((edge, _)) if creases.contain(edge) => return Way::Crease(edge),
@@ -89,7 +89,7 @@ fn normal_at(solid: &Subcomplex3, creases: &Creases, f: FacetId, v: VertexId) ->
     while let Some(&facet) = sheet.get(next) {
         next += 1;
         sum += unit_normal(solid.triangle(facet)) * angle_at(solid, facet, v);
-        for (edge, beyond) in across_edges(solid, facet) {
+        for (edge, beyond) in solid.across_edges(facet) {
             if edge.contains(&v) && !creases.contain(edge) && met.insert(beyond) {
                 sheet.push(beyond);
             }

@@ -6,7 +6,7 @@
 use super::super::proposal::Proposal;
 use super::super::refiner::Refiner;
 use super::clearance::{Clearance, Pull};
-use super::creases::{Creases, across_edges, unit_normal};
+use super::creases::{Creases, unit_normal};
 use super::patch::{Way, way_to};
 use crate::boundary::PARTS;
 use crate::stop::Stop;
@@ -38,7 +38,7 @@ impl Splitter {
     pub(super) fn new(solid: &Subcomplex3, crease: f64) -> Self {
         let mut sizes = vec![f64::INFINITY; solid.points().len()];
         for f in solid.boundary() {
-            for (edge, _) in across_edges(solid, f) {
+            for (edge, _) in solid.across_edges(f) {
                 let [a, b] = edge.map(|v| solid.point(v));
                 for v in edge {
                     sizes[v.index()] = sizes[v.index()].min(a.distance(b));
@@ -80,24 +80,29 @@ impl Splitter {
         }
     }
 
-    /// Divides a boundary facet at a point, or instead a crease that the point would be too near to, if one can be; tells whether it
-    /// did.
+    /// Divides a boundary facet at a point, or instead a crease that the point would be too near to, if one can be; tells
+    /// whether it did.
     fn split_at(
         &mut self,
         refiner: &mut Refiner<'_>,
         f: FacetId,
         point: DVec3,
     ) -> Result<bool, Stop> {
-        let around = match self.propose(refiner, point, &[f]) {
+        let mut found = self.propose(refiner, point, &[f]);
+        let around = match found {
             true => self.facets_around(&refiner.solid),
             false => vec![f],
         };
-        for edge in self.encroached(&refiner.solid, point, around) {
+        let creases = self.encroached(&refiner.solid, point, around);
+        for &edge in &creases {
             if self.split_crease(refiner, edge)? {
                 return Ok(true);
             }
         }
-        let found = self.propose(refiner, point, &[f]);
+        if !creases.is_empty() {
+            // What was proposed last is the middle of a crease.
+            found = self.propose(refiner, point, &[f]);
+        }
         if found {
             self.insert(refiner)?;
         }
@@ -154,16 +159,13 @@ impl Splitter {
 
     /// Lists the boundary facets that would give way, and the edges round them.
     fn list_disk(&mut self, solid: &Subcomplex3) {
-        let mesh = solid.mesh();
-        let tets = self.proposal.prestar.tets().iter();
-        let ghosts = tets.filter(|&&t| mesh.is_ghost_tet(t));
         self.disk.clear();
         self.disk
-            .extend(ghosts.map(|ghost| mesh.twin(ghost.facet(3))));
+            .extend(facets_under(solid, self.proposal.prestar.tets()));
         self.rim.clear();
         let on_disk: FxHashSet<FacetId> = self.disk.iter().copied().collect();
         for &f in &self.disk {
-            let across = across_edges(solid, f);
+            let across = solid.across_edges(f);
             let rim = across.filter(|(_, beyond)| !on_disk.contains(beyond));
             self.rim.extend(rim.map(|(edge, _)| edge));
         }
@@ -198,7 +200,7 @@ impl Splitter {
         point: DVec3,
         facets: Vec<FacetId>,
     ) -> Vec<[VertexId; 2]> {
-        let edges = facets.into_iter().flat_map(|f| across_edges(solid, f));
+        let edges = facets.into_iter().flat_map(|f| solid.across_edges(f));
         let mut encroached: Vec<[VertexId; 2]> = edges
             .map(|(edge, _)| edge)
             .filter(|&edge| self.creases.contain(edge))
@@ -221,9 +223,7 @@ impl Splitter {
         let solid = &refiner.solid;
         self.sizes.resize(solid.points().len(), f64::INFINITY);
         self.sizes[vertex.index()] = size;
-        let star = self.proposal.prestar.tets().iter();
-        let new = star.filter(|&&t| solid.mesh().is_ghost_tet(t));
-        let new = new.map(|ghost| solid.mesh().twin(ghost.facet(3)));
+        let new = facets_under(solid, self.proposal.prestar.tets());
         self.clearance.note(solid, new);
         Ok(vertex)
     }
@@ -255,6 +255,12 @@ fn facets_on(solid: &Subcomplex3, [a, b]: [VertexId; 2]) -> Vec<FacetId> {
     let Some(t) = mesh.find_edge(a, b) else {
         return Vec::new();
     };
-    let ghosts = mesh.ring(t, a, b).filter(|&t: &TetId| mesh.is_ghost_tet(t));
-    ghosts.map(|ghost| mesh.twin(ghost.facet(3))).collect()
+    let ring: Vec<TetId> = mesh.ring(t, a, b).collect();
+    facets_under(solid, &ring).collect()
+}
+
+/// The boundary facets of the ghosts among tetrahedra.
+fn facets_under(solid: &Subcomplex3, tets: &[TetId]) -> impl Iterator<Item = FacetId> {
+    let ghosts = tets.iter().filter(|&&t| solid.mesh().is_ghost_tet(t));
+    ghosts.map(|&ghost| solid.facet_under(ghost))
 }

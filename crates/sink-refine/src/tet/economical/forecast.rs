@@ -1,8 +1,8 @@
 //! What making one vertex of two would do, in rounded numbers. The mesh is not touched.
 //!
 //! Candidates are points between the two vertices, and one towards the middle of the hole that they leave. Nearly all fail, so
-//! the cheapest tests come first: tetrahedra of low quality in the hole have to be in conflict with a candidate, which is known while the hole is
-//! being filled; there must be fewer tetrahedra; only then those that come are measured.
+//! the cheapest tests come first: tetrahedra of low quality in the hole have to be in conflict with a candidate, which is known
+//! while the hole is being filled; there must be fewer tetrahedra; only then those that come are measured.
 
 use super::super::records::Records;
 use super::hole::{Candidate, Hole};
@@ -27,8 +27,8 @@ pub(super) struct Forecaster {
 }
 
 impl Forecaster {
-    /// The way to make one vertex of two neighbours that leaves fewest tetrahedra, if one pays: with no more tetrahedra of low quality, and
-    /// none that is too large.
+    /// The way to make one vertex of two neighbours that leaves fewest tetrahedra, if one pays: with no more tetrahedra of low
+    /// quality, and none that is too large.
     pub(super) fn best(
         &mut self,
         solid: &Subcomplex3,

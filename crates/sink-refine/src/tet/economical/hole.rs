@@ -1,7 +1,7 @@
 //! The hole that two neighbours would leave, and the tetrahedra that would fill it, in rounded numbers.
 
+use super::super::marks::Marks;
 use super::super::records::Records;
-use super::marks::Marks;
 use delaunay_core::{FacetId, Subcomplex3, TetId, VertexId, WrappedTet, Wrapping};
 use glam::DVec3;
 

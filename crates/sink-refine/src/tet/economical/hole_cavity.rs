@@ -1,7 +1,7 @@
 //! The cavity of a point in a hole: partly among the tetrahedra that would fill it, partly among those round it.
 
+use super::super::marks::Marks;
 use super::hole::Hole;
-use super::marks::Marks;
 use delaunay_core::{Across, FACET_CORNERS, FacetId, Subcomplex3, TetId, VertexId};
 use glam::DVec3;
 
@@ -75,7 +75,8 @@ impl HoleCavity {
         }
     }
 
-    /// Takes the tetrahedron of a facet's outer side into the cavity if it is in conflict with the point, else the facet into its rim.
+    /// Takes the tetrahedron of a facet's outer side into the cavity if it is in conflict with the point, else the facet into
+    /// its rim.
     fn cross(&mut self, solid: &Subcomplex3, outer: FacetId, point: DVec3) {
         let t = outer.tet();
         if self.in_outside.is_marked(t) {

@@ -28,8 +28,8 @@ use rustc_hash::FxHashSet;
 /// How often a point slides from one facet to the next.
 const SLIDES: usize = 3;
 
-/// Points tested with one effort, at most, in parts of the number of tetrahedra. Leftovers are few unless much of the boundary is in the
-/// way; then this keeps the work linear.
+/// Points tested with one effort, at most, in parts of the number of tetrahedra. Leftovers are few unless much of the boundary
+/// is in the way; then this keeps the work linear.
 const TESTS: usize = 4;
 
 /// What is tried.

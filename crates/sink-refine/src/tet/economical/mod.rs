@@ -2,8 +2,8 @@
 //! then what is left is cured, and vertices that are not needed go.
 //!
 //! The phases run once, in this order. [Greedy insertion](greedy) ends because points keep the minimum separation;
-//! [curing](leftovers) because the number of low tetrahedra falls with each point, or dividing the [boundary]; [removal] and [merging] because the
-//! number of vertices does.
+//! [curing](leftovers) because the number of low tetrahedra falls with each point, or dividing the [boundary]; [removal] and
+//! [merging] because the number of vertices does.
 
 mod forecast;
 mod gain;
@@ -11,7 +11,6 @@ mod greedy;
 mod hole;
 mod hole_cavity;
 mod leftovers;
-mod marks;
 mod merging;
 mod off_center;
 mod removal;
@@ -32,10 +31,10 @@ pub(crate) fn run(
 ) -> Result<(), Stop> {
     let given = refiner.solid.points().len();
     greedy::run(refiner)?;
-    match at {
-        Boundary::Keep => leftovers::run(refiner)?,
-        Boundary::Split { crease } => boundary::run(refiner, crease)?,
+    if at == Boundary::Keep {
+        leftovers::run(refiner)?;
     }
+    boundary::run(refiner, at)?;
     if coarsening >= Coarsening::Removal {
         removal::run(refiner, given)?;
     }

@@ -1,7 +1,7 @@
 //! Whether the halves of a boundary edge keep clear of all others.
 //!
-//! A vertex that is put outside a boundary edge pulls the boundary with it, by a rounding error where it is straight, by the height of
-//! the curve over the edge where it is smooth. Another part of the boundary may be in the way.
+//! A vertex that is put outside a boundary edge pulls the boundary with it, by a rounding error where it is straight, by the
+//! height of the curve over the edge where it is smooth. Another part of the boundary may be in the way.
 
 use delaunay_core::geo_predicates::{Sign, orient2d};
 use delaunay_core::{HalfEdgeId, Subcomplex2, segments_cross};

@@ -7,8 +7,8 @@ use glam::DVec2;
 /// The place that divides a boundary edge, when the boundary is smooth where it turns by up to `smooth` radians.
 ///
 /// In the middle; but from a vertex where another boundary edge is near, at a power of two, so that both are divided at the same
-/// distances and do not make each other be divided again (Ruppert 1995, concentric shells). On a smooth boundary not on the edge but on the cubic
-/// Hermite curve between its ends, with speed |ab| along the tangents there.
+/// distances and do not make each other be divided again (Ruppert 1995, concentric shells). On a smooth boundary not on the
+/// edge but on the cubic Hermite curve between its ends, with speed |ab| along the tangents there.
 pub(super) fn divide(region: &Subcomplex2, h: HalfEdgeId, smooth: f64) -> DVec2 {
     let [a, b] = region.segment(h);
     let chord = b - a;

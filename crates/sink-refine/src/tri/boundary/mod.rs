@@ -1,10 +1,12 @@
 //! The boundary is divided where it is in the way, beyond the paper, which keeps it.
 //!
-//! What the tests of §5.1 have rejected is tried again, the worst triangle first. A boundary edge is divided when it is too long for the size asked for, when it has a candidate
-//! inside its diametral circle, or when the flow leaves through it. Smooth parts keep their [shape](curve).
+//! What the tests of §5.1 have rejected is tried again, the worst triangle first. A boundary edge is divided when it is too
+//! long for the size asked for, when it has a candidate inside its diametral circle, or when the flow leaves through it. Smooth
+//! parts keep their [shape](curve).
 //!
-//! It ends: points inside keep a separation that is tested, the shortest edge of the triangle or the size, and points on the boundary a part of the size given there
-//! ([`PARTS`](crate::boundary::PARTS)), so all vertices stay apart and there is room for finitely many.
+//! It ends: points inside keep a separation that is tested, the shortest edge of the triangle or the size, and points on the
+//! boundary a part of the size given there ([`PARTS`](crate::boundary::PARTS)), so all vertices stay apart and there is room
+//! for finitely many.
 
 mod clearance;
 mod curve;
@@ -14,18 +16,21 @@ use super::flow::{path, sink_triangle};
 use super::low::long_edge;
 use super::proposal::Rejection2;
 use super::refiner::{Refiner, Urgency};
+use crate::params::Boundary;
 use crate::stop::Stop;
 use delaunay_core::measure::triangle::{circumcenter, shortest_edge};
 use delaunay_core::{FaceId, HalfEdgeId};
 use glam::DVec2;
 use split::Splitter;
 
-/// Improves what is left of low quality by dividing the boundary, which has corners where it turns by more than so many
-/// degrees.
+/// Improves what is left of low quality by dividing the boundary, if that is allowed.
 ///
 /// # Errors
 /// Why it ended before nothing more could be done.
-pub(crate) fn run(refiner: &mut Refiner<'_>, crease: f64) -> Result<(), Stop> {
+pub(crate) fn run(refiner: &mut Refiner<'_>, at: Boundary) -> Result<(), Stop> {
+    let Boundary::Split { crease } = at else {
+        return Ok(());
+    };
     let mut cure = Cure {
         splitter: Splitter::new(&refiner.region, crease),
         candidates: Vec::new(),

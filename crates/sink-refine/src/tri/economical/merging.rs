@@ -2,7 +2,8 @@
 //!
 //! Both are removed, and the best point for the triangles of low quality that appear is inserted, or one on the way between
 //! the two. It is kept when no more triangles are of low quality than before, nor worse ones, and
-//! none that comes is too large; there are two less then. Else the two come back, and with them, because the triangulation is unique, the triangles that were there.
+//! none that comes is too large; there are two less then. Else the two come back, and with them, because the triangulation is
+//! unique, the triangles that were there.
 
 use super::super::flow::sink_triangle;
 use super::super::proposal::Proposal;

@@ -2,8 +2,8 @@
 //! then what is left is cured, and vertices that are not needed go.
 //!
 //! The phases run once, in this order. [Insertion](cascade) ends because points keep the minimum separation;
-//! [curing](leftovers) because the number of low triangles falls with each point, or dividing the [boundary]; [removal] and [merging] because the
-//! number of vertices does.
+//! [curing](leftovers) because the number of low triangles falls with each point, or dividing the [boundary]; [removal] and
+//! [merging] because the number of vertices does.
 
 mod cascade;
 mod gain;
@@ -29,10 +29,10 @@ pub(crate) fn run(
     let given = refiner.region.points().len();
     refiner.reorder(Urgency::ShortestEdge);
     cascade::run(refiner)?;
-    match at {
-        Boundary::Keep => leftovers::run(refiner)?,
-        Boundary::Split { crease } => boundary::run(refiner, crease)?,
+    if at == Boundary::Keep {
+        leftovers::run(refiner)?;
     }
+    boundary::run(refiner, at)?;
     if coarsening >= Coarsening::Removal {
         removal::run(refiner, given)?;
     }

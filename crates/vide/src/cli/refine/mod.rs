@@ -54,8 +54,8 @@ pub(crate) struct RefineArgs {
     /// What may happen to the boundary
     #[arg(long, value_enum, default_value_t = method::AtBoundary::Keep)]
     boundary: method::AtBoundary,
-    /// With --boundary split: where the boundary turns by up to DEG degrees it is smooth, and new vertices are put on a smooth curve
-    /// or surface; elsewhere it has corners and creases, which stay [default: 30; in the plane 0: on the edges]
+    /// With --boundary split: where the boundary turns by up to DEG degrees it is smooth, and new vertices are put on a smooth
+    /// curve or surface; elsewhere it has corners and creases, which stay [default: 30; in the plane 0: on the edges]
     #[arg(long, value_name = "DEG", value_parser = method::parse_crease)]
     crease: Option<f64>,
     /// Afterwards make tetrahedra better whose smallest dihedral angle is below DEG degrees, or the largest above 180 - DEG, by

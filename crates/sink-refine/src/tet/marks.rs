@@ -4,15 +4,15 @@ use delaunay_core::TetId;
 
 /// Marks by tetrahedron.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Marks {
+pub(crate) struct Marks {
     /// The round of the last mark of each tetrahedron.
     rounds: Vec<u32>,
     round: u32,
 }
 
 impl Marks {
-    /// Takes all marks off; tetrahedra have numbers less than `slots`.
-    pub(super) fn clear(&mut self, slots: usize) {
+    /// Takes all marks off; tetrahedra have numbers less than `slots`. Constant time, unless there are more of them than before.
+    pub(crate) fn clear(&mut self, slots: usize) {
         self.round = self.round.wrapping_add(1);
         if self.round == 0 {
             self.rounds.fill(0);
@@ -25,12 +25,12 @@ impl Marks {
 
     /// Marks a tetrahedron; tells whether it had no mark.
     #[inline]
-    pub(super) fn mark(&mut self, t: TetId) -> bool {
+    pub(crate) fn mark(&mut self, t: TetId) -> bool {
         std::mem::replace(&mut self.rounds[t.index()], self.round) != self.round
     }
 
     #[inline]
-    pub(super) fn is_marked(&self, t: TetId) -> bool {
+    pub(crate) fn is_marked(&self, t: TetId) -> bool {
         self.rounds[t.index()] == self.round
     }
 }
