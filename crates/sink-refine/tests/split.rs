@@ -235,6 +235,30 @@ fn new_vertices_are_on_a_smooth_surface() {
     assert!(highest < 0.015, "{highest}");
 }
 
+/// Turns, patches and shares are measured where doubles do not run out.
+#[test]
+fn the_unit_of_length_does_not_matter() {
+    let corner = |i: usize| DVec3::new((i & 1) as f64, (i >> 1 & 1) as f64, 0.2 * (i >> 2) as f64);
+    let refined = |unit: f64| {
+        let slab: Vec<DVec3> = (0..8).map(|i| corner(i) * unit).collect();
+        let slab = Subcomplex3::of(&Delaunay3::build(&slab).unwrap(), |_| true);
+        let params = params(2.0, Method::Economical(Coarsening::Merging), SMOOTH);
+        let field = |_| 0.15 * unit;
+        let sizing = Sizing3 {
+            field: Some(&field),
+            ..Sizing3::default()
+        };
+        let outcome = refine3_sized(slab.clone(), &params, &sizing, &mut silent).unwrap();
+        check_solid(&slab, &outcome).unwrap();
+        (outcome.stop, outcome.counters, outcome.solid.tets().count())
+    };
+    let usual = refined(1.0);
+    assert_eq!(usual.0, Stop::AllGood);
+    for unit in [2.0_f64.powi(-130), 2.0_f64.powi(160)] {
+        assert_eq!(refined(unit), usual);
+    }
+}
+
 #[test]
 fn a_small_angle_of_the_boundary_ends_it() {
     let wedge = [[0.0, 0.0], [8.0, 0.0], [8.0, 0.3]].map(DVec2::from);
