@@ -44,7 +44,7 @@
 //!   data about elements live in a `Vec` beside the mesh, indexed by the `index()` of their ids.
 //! - An [`Outline`] is a closed curve of segments in the plane; [`Outline::region`] finds the triangles that it encloses.
 //! - A [`Surface`] is a closed surface of triangles; [`Surface::solid`] finds the tetrahedra that it encloses.
-//! - [`Subcomplex2`] and [`Subcomplex3`] are parts of a triangulation with a boundary that no insertion changes; in a
+//! - [`Subcomplex2`] and [`Subcomplex3`] are parts of a triangulation with a boundary that no insertion inside changes; in a
 //!   [`Complex3`] tetrahedra need not be Delaunay.
 //! - Signs, ids, ghosts and the accepted coordinates are as in `docs/conventions.md`. All decisions about
 //!   topology are made by the exact predicates of [`geo_predicates`], re-exported here.

@@ -1,4 +1,4 @@
-//! Part of a Delaunay triangulation, closed by a boundary that no insertion changes.
+//! Part of a Delaunay triangulation, closed by a boundary that no insertion inside changes.
 //!
 //! ```text
 //!      ghost │ tetrahedra      Each boundary facet carries a ghost, as each hull facet of a whole triangulation
@@ -20,12 +20,12 @@ use geo_predicates::{Sign, in_diametral_ball};
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 
-/// Tetrahedra of a Delaunay triangulation that share a fixed boundary.
+/// Tetrahedra of a Delaunay triangulation within a boundary.
 ///
-/// Vertices have the ids that they have in the triangulation. All tetrahedra have positive volume, exactly, and the
-/// boundary never changes. They stay Delaunay as long as no point is inserted inside the diametral sphere of a boundary
-/// facet that it sees; near such a facet a cavity that ends at the boundary may leave tetrahedra whose spheres
-/// contain a neighbour's vertex.
+/// Vertices have the ids that they have in the triangulation. All tetrahedra have positive volume, exactly. The
+/// boundary changes by [`dig_on`](Self::dig_on) alone. They stay Delaunay as long as no point is inserted inside the diametral sphere of a boundary
+/// facet that it sees; near such a facet, and near points put on the boundary, a cavity that ends there may leave tetrahedra
+/// whose spheres contain a neighbour's vertex.
 ///
 /// ```
 /// use delaunay_core::{Cavity3, Delaunay3, Subcomplex3};

@@ -1,4 +1,4 @@
-//! Part of a Delaunay triangulation, closed by a boundary that no insertion changes.
+//! Part of a Delaunay triangulation, closed by a boundary that no insertion inside changes.
 //!
 //! ```text
 //!      ghost │ triangles       Each boundary edge carries a ghost, as each hull edge of a whole triangulation
@@ -26,10 +26,11 @@ use geo_predicates::filter::Filter2;
 use geo_predicates::{Sign, in_diametral_circle};
 use glam::DVec2;
 
-/// Triangles of a Delaunay triangulation that share a fixed boundary.
+/// Triangles of a Delaunay triangulation within a boundary.
 ///
 /// Vertices have the ids that they have in the triangulation. Triangles are Delaunay in the sense that what lies
-/// across the boundary does not count; all have positive area, exactly.
+/// across the boundary does not count; all have positive area, exactly. The boundary changes by [`dig_on`](Self::dig_on)
+/// alone.
 ///
 /// ```
 /// use delaunay_core::{Cavity, Delaunay2, Subcomplex2};

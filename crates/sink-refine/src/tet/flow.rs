@@ -5,6 +5,9 @@
 //!
 //! A tetrahedron has at most two successors. Along the flow the circumradius grows; it stays the same only between
 //! tetrahedra of one sphere, which have one center and are crossed toward it. So the flow never runs in circles.
+//!
+//! All this is about Delaunay tetrahedra. Near a divided boundary some may not be Delaunay, and the flow between them may return;
+//! walks end all the same, as they pass no tetrahedron twice.
 
 use super::marks::Marks;
 use delaunay_core::measure::tetrahedron::circumcenter;

@@ -3,7 +3,7 @@
 use super::flow::{Successor3, successors};
 use delaunay_core::{Subcomplex3, TetId};
 
-/// The flow relation τ ≺ σ of a subcomplex, a graph without cycles. Valid as long as the subcomplex does not change.
+/// The flow relation τ ≺ σ of a subcomplex, a graph without cycles where they are Delaunay. Valid as long as the subcomplex does not change.
 #[derive(Clone, Debug)]
 pub struct FlowGraph3 {
     /// Pairs (σ, τ) with τ ≺ σ, ascending.
