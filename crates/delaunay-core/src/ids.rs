@@ -125,6 +125,21 @@ impl HalfEdgeId {
         Self(index as u32)
     }
 
+    /// What stands for a short while where a half-edge would: a number below [`FaceId::LIMIT`], told from a half-edge by
+    /// [`number`](Self::number).
+    pub(crate) const fn numbered(number: usize) -> Self {
+        Self(4 * number as u32 + 3)
+    }
+
+    /// The number that [`numbered`](Self::numbered) was given; `None` for a half-edge.
+    pub(crate) const fn number(self) -> Option<usize> {
+        if self.0 % 4 == 3 {
+            Some(self.0 as usize / 4)
+        } else {
+            None
+        }
+    }
+
     /// The number of the half-edge, `4 f + i`; numbers that are 3 modulo 4 are not used.
     #[must_use]
     pub const fn index(self) -> usize {

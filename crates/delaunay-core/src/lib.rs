@@ -85,6 +85,9 @@ pub use tri::{
     Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,
     PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,
 };
+pub use tri::{
+    Components, ConstrainError, Constrained2, ConstrainedViolation, Crossing, Crossings, SeedError,
+};
 pub use tri::{Outline, OutlineError, Region, RegionError, segments_cross};
 pub use tri::{Patch2, Refilled, Subcomplex2};
 pub use tri::{Regular2, RegularViolation2};

@@ -6,7 +6,8 @@
 //! | the triangulation and read access | `delaunay.rs`, `duplicates.rs`, `flat.rs` |
 //! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `dig.rs`, `sight.rs`, `star.rs` |
 //! | all points | `build.rs`, `bulk/` |
-//! | one point less | `remove.rs` |
+//! | one point less, one edge turned | `remove.rs`, `flip.rs` |
+//! | with segments as edges | `constrained/` |
 //! | questions | `nearest.rs`, `hull.rs` |
 //! | the Voronoi diagram | `dual.rs`, `convex.rs`, `carve.rs` |
 //! | closed outlines and what they enclose | `outline.rs`, `region.rs`, `crossing.rs` |
@@ -22,6 +23,7 @@ mod canonical;
 mod carve;
 mod cavity;
 mod check;
+mod constrained;
 mod convex;
 mod crossing;
 mod delaunay;
@@ -29,6 +31,7 @@ mod dig;
 mod dual;
 mod duplicates;
 mod flat;
+mod flip;
 mod hull;
 mod insert;
 mod locate;
@@ -45,6 +48,9 @@ mod subcomplex;
 pub use around::Around;
 pub use cavity::{Cavity, RimEdge};
 pub use check::Violation;
+pub use constrained::{
+    Components, ConstrainError, Constrained2, ConstrainedViolation, Crossing, Crossings, SeedError,
+};
 pub use convex::{ConvexPolygon, PolygonError};
 pub use crossing::segments_cross;
 pub use delaunay::Delaunay2;

@@ -116,7 +116,7 @@ impl<'a> Sight<'a> {
         orient2d(self.point(a), self.point(b), self.from)
     }
 
-    fn point(&self, v: VertexId) -> DVec2 {
+    pub(super) fn point(&self, v: VertexId) -> DVec2 {
         self.coords[v.slot()]
     }
 }

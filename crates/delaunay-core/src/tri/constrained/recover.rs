@@ -1,0 +1,204 @@
+//! A segment becomes an edge (Shewchuk and Brown 2015 compare the ways to do it).
+//!
+//! The triangles that it crosses are taken out, and the polygons on its two sides are triangulated each for itself. Where
+//! a vertex lies on the segment it is divided there, exactly.
+
+use super::ahead::{Ahead, between};
+use super::corridor::{Corridor, End};
+use super::large::LEAST_LARGE;
+use super::pocket::{Pocket, Wall};
+use super::triangulation::Constrained2;
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::tri::mesh::Face;
+
+/// An edge with a segment on it in the way of another segment.
+#[derive(Clone, Debug)]
+pub(super) struct Crossed {
+    /// The vertices that have been laid from the first end on, and those to the second end.
+    pub(super) before: Vec<VertexId>,
+    pub(super) after: Vec<VertexId>,
+    /// One side of the edge.
+    pub(super) barrier: HalfEdgeId,
+}
+
+impl Crossed {
+    /// The part of the way that is not laid yet.
+    pub(super) fn way(&self) -> [VertexId; 2] {
+        let [before, after] = [self.before.last(), self.after.first()];
+        [before, after].map(|v| v.copied().unwrap_or(VertexId::GHOST))
+    }
+}
+
+impl Constrained2 {
+    /// Makes the straight way between two vertices edges with label `label`, up to an edge that a segment lies on.
+    ///
+    /// What has been laid when the way is blocked stays.
+    pub(super) fn lay(
+        &mut self,
+        ends: [VertexId; 2],
+        label: u32,
+        depth: usize,
+    ) -> Result<(), Crossed> {
+        let [mut before, mut after] = ends.map(|end| vec![end]);
+        while let (Some(&a), Some(&b)) = (before.last(), after.last())
+            && a != b
+        {
+            let sight_from = |v: VertexId| self.sight(v);
+            let Some(([from, to], ahead)) = between(&self.mesh, sight_from, [a, b]) else {
+                debug_assert!(false, "{a} and {b} are vertices");
+                break;
+            };
+            let reached = match ahead {
+                Ahead::Along(h) => {
+                    self.put_label(h, label);
+                    Ok(self.mesh.target(h))
+                }
+                Ahead::Across(first) => self.cross([from, to], first, label, depth),
+            };
+            match reached {
+                Ok(vertex) if from == a => before.push(vertex),
+                Ok(vertex) => after.push(vertex),
+                Err(barrier) => {
+                    after.reverse();
+                    return Err(Crossed {
+                        before,
+                        after,
+                        barrier,
+                    });
+                }
+            }
+        }
+        if before.len() + after.len() > 3 {
+            after.reverse();
+            self.paths.note([before, after].concat());
+        }
+        Ok(())
+    }
+
+    /// The label of the edge of `h`: the least of those given.
+    pub(super) fn put_label(&mut self, h: HalfEdgeId, label: u32) {
+        let known = self.labels[h.index()];
+        let least = if known == 0 { label } else { known.min(label) };
+        for side in [h, self.mesh.twin(h)] {
+            self.labels[side.index()] = least;
+        }
+    }
+
+    /// Makes the way from a vertex to the next one on the way an edge, out of a triangle across `first`; or gives the edge in
+    /// the way.
+    fn cross(
+        &mut self,
+        [start, end]: [VertexId; 2],
+        first: HalfEdgeId,
+        label: u32,
+        depth: usize,
+    ) -> Result<VertexId, HalfEdgeId> {
+        let mut corridor = std::mem::take(&mut self.corridor);
+        let is_barrier = |h: HalfEdgeId| self.is_constrained(h);
+        let met = corridor.dig(&self.mesh, &self.sight(end), start, first, is_barrier);
+        let result = match met {
+            End::Barrier(barrier) => Err(barrier),
+            End::Vertex(reached) => {
+                self.fill_corridor(&corridor, label, depth);
+                Ok(reached)
+            }
+        };
+        self.corridor = corridor;
+        result
+    }
+
+    /// Triangulates both sides of a corridor anew.
+    fn fill_corridor(&mut self, corridor: &Corridor, label: u32, depth: usize) {
+        let mut pockets = std::mem::take(&mut self.pockets);
+        for (pocket, walls) in pockets.iter_mut().zip([&corridor.right, &corridor.left]) {
+            self.survey(walls, pocket);
+        }
+        let (right, left) = corridor.faces.split_at(pockets[0].walls.len() - 1);
+        let bases = [(&pockets[0], right), (&pockets[1], left)].map(|(pocket, slots)| {
+            match pocket.walls.len() < LEAST_LARGE {
+                true => self.fill_pocket(pocket, slots),
+                false => self.fill_large(pocket, slots, depth),
+            }
+        });
+        self.mesh.glue(bases[0], bases[1]);
+        self.labels[bases[0].index()] = 0;
+        self.put_label(bases[0], label);
+        self.pockets = pockets;
+    }
+
+    /// Notes the corners of a polygon and what is beyond its walls, while the old faces are still there.
+    fn survey(&mut self, walls: &[HalfEdgeId], pocket: &mut Pocket) {
+        pocket.clear();
+        for &inner in walls {
+            pocket.corners.push(self.mesh.origin(inner));
+            pocket.walls.push(Wall {
+                outer: self.mesh.twin(inner),
+                segment: self.labels[inner.index()],
+                spike: None,
+            });
+        }
+        pocket
+            .corners
+            .extend(walls.last().map(|&inner| self.mesh.target(inner)));
+        // The outside is told the number of each wall; a wall that is told one itself is the other side of that wall.
+        for (number, wall) in pocket.walls.iter().enumerate() {
+            self.mesh.set_twin(wall.outer, HalfEdgeId::numbered(number));
+        }
+        for (wall, &inner) in pocket.walls.iter_mut().zip(walls) {
+            wall.spike = self.mesh.twin(inner).number();
+            pocket.has_spikes |= wall.spike.is_some();
+        }
+    }
+
+    /// Fills a polygon with triangles in `slots`, one less than it has walls, and gives the base, which is not glued yet.
+    pub(super) fn fill_pocket(&mut self, pocket: &Pocket, slots: &[FaceId]) -> HalfEdgeId {
+        let mut walls = vec![HalfEdgeId::NONE; pocket.walls.len()];
+        let mut slots = slots.iter();
+        let mut base = HalfEdgeId::NONE;
+        let mut pending = vec![([0, pocket.walls.len()], HalfEdgeId::NONE)];
+        while let Some(([low, high], above)) = pending.pop() {
+            let Some(&f) = slots.next() else { break };
+            let apex = pocket.apex(&self.coords, [low, high]);
+            let sides = f.half_edges();
+            self.put_face(
+                f,
+                Face {
+                    origin: [low, apex, high].map(|corner| pocket.corners[corner]),
+                    twin: sides,
+                },
+            );
+            match above == HalfEdgeId::NONE {
+                true => base = sides[2],
+                false => self.mesh.glue(sides[2], above),
+            }
+            for (side, part) in [(sides[0], [low, apex]), (sides[1], [apex, high])] {
+                match part[1] - part[0] == 1 {
+                    true => walls[part[0]] = side,
+                    false => pending.push((part, side)),
+                }
+            }
+        }
+        self.glue_walls(pocket, &walls);
+        base
+    }
+
+    /// Stores a face in the slot of one that is gone, without labels.
+    pub(super) fn put_face(&mut self, f: FaceId, face: Face) {
+        self.mesh.faces[f.index()] = face;
+        for h in f.half_edges() {
+            self.labels[h.index()] = 0;
+            self.mesh.set_outgoing(h);
+        }
+    }
+
+    /// Glues the new inner sides of the walls to what is beyond them.
+    pub(super) fn glue_walls(&mut self, pocket: &Pocket, inner: &[HalfEdgeId]) {
+        for (wall, &here) in pocket.walls.iter().zip(inner) {
+            self.labels[here.index()] = wall.segment;
+            match wall.spike {
+                Some(other) => self.mesh.set_twin(here, inner[other]),
+                None => self.mesh.glue(here, wall.outer),
+            }
+        }
+    }
+}
