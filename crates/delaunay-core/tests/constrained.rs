@@ -1,5 +1,7 @@
 //! Constrained triangulations: invariants on random input, hard cases, errors.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 use delaunay_core::geo_predicates::{Sign, orient2d};
 use delaunay_core::progress::silent;
 use delaunay_core::{

@@ -166,7 +166,7 @@ proptest! {
         prop_assume!(outline.is_some());
         let region: Region = outline.unwrap().region(BuildOptions::default(), &mut silent).unwrap();
         let given = Subcomplex2::of(&delaunay, |f| keep[f.index()]);
-        let found = Subcomplex2::of(region.delaunay(), |f| region.is_inside(f));
+        let found = region.subcomplex();
         prop_assert_eq!(corners(&found), corners(&given));
     }
 }
@@ -184,7 +184,7 @@ fn the_outline_of_the_sink_paper_has_229_triangles() {
         .region(BuildOptions::default(), &mut silent)
         .unwrap();
     assert_eq!(region.faces().count(), 229);
-    let part = Subcomplex2::of(region.delaunay(), |f| region.is_inside(f));
+    let part = region.subcomplex();
     assert_eq!((part.vertex_count(), part.boundary().count()), (231, 231));
     // One curve: the infinite vertex has one ring too.
     assert_eq!((part.check(), part.mesh().check()), (Ok(()), Ok(())));

@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let segments = segments.map(|ends| ends.map(|v| VertexId::new(v as usize)));
     let outline = Outline::new(points, segments.collect())?;
     let region = outline.region(BuildOptions::default(), &mut silent)?;
-    let region = Subcomplex2::of(region.delaunay(), |f| region.is_inside(f));
+    let region = region.subcomplex();
     print("given", &region, "");
     for (what, params) in all_params() {
         let start = Instant::now();

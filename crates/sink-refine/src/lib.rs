@@ -39,7 +39,7 @@
 //! let frame = (0..56).map(|i| [12 + i, 12 + (i + 1) % 56]);
 //! let segments = circle.chain(frame).map(|ends| ends.map(VertexId::new)).collect();
 //! let region = Outline::new(points, segments)?.region(BuildOptions::default(), &mut silent)?;
-//! let region = Subcomplex2::of(region.delaunay(), |f| region.is_inside(f));
+//! let region = region.subcomplex();
 //!
 //! // As in the paper; and with as few points as can be.
 //! let method = Method::Paper { candidate: Candidate::Sink, schedule: Schedule::Parallel };

@@ -44,6 +44,11 @@ pub fn segments_cross(first: [DVec2; 2], second: [DVec2; 2]) -> bool {
     cross(in_order(first), in_order(second))
 }
 
+/// Whether `p` is on the segment between `a` and `b`, or an end of it. Exact.
+pub(super) fn is_on(p: DVec2, [a, b]: [DVec2; 2]) -> bool {
+    orient2d(a, b, p) == Sign::Zero && p.clamp(a.min(b), a.max(b)) == p
+}
+
 /// [`segments_cross`] with the ends of each in lexicographic order.
 fn cross([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
     let of_first = [orient2d(a, b, c), orient2d(a, b, d)];

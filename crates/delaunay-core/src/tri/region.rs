@@ -1,30 +1,28 @@
 //! Which triangles an outline encloses.
 //!
-//! The segments of the outline are looked up among the edges of the Delaunay triangulation of its vertices. When all
-//! are there, the triangles are told apart from the outside inwards: across a segment of the outline, outside becomes
-//! inside and inside outside.
+//! The segments of the outline become edges of the constrained Delaunay triangulation of its vertices. Then the triangles
+//! are told apart from the outside inwards: across a segment of the outline, outside becomes inside and inside outside.
 
-use super::crossing::first_crossing;
-use super::delaunay::Delaunay2;
-use super::mesh::TriMesh;
-use super::outline::{Outline, sorted};
+use super::constrained::{ConstrainError, Constrained2, Crossings};
+use super::crossing::{first_crossing, is_on};
+use super::outline::Outline;
+use super::subcomplex::Subcomplex2;
 use crate::error::BuildError;
 use crate::ids::{FaceId, VertexId};
 use crate::options::BuildOptions;
-use crate::progress::{Cancelled, Meter, Progress};
-use rustc_hash::FxHashMap;
+use crate::progress::{Cancelled, Progress};
 use std::ops::ControlFlow;
 use thiserror::Error;
 
-/// The Delaunay triangulation of the vertices of an outline, and which of its triangles are inside.
+/// The constrained Delaunay triangulation of an outline, and which of its triangles are inside.
 #[derive(Clone, Debug)]
 pub struct Region {
-    delaunay: Delaunay2,
+    triangulation: Constrained2,
     /// By face.
     inside: Vec<bool>,
 }
 
-/// Why an outline bounds no triangles of the Delaunay triangulation of its vertices.
+/// Why an outline bounds no triangles.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum RegionError {
     /// The vertices have no triangulation, or the report closure stopped the work.
@@ -38,11 +36,13 @@ pub enum RegionError {
         /// The other.
         second: usize,
     },
-    /// No segments cross, but some are not Delaunay: the outline needs more vertices there.
-    #[error("{}", missing_text(.segments))]
-    MissingSegments {
-        /// Indices of the segments that are no edges of the triangulation, in order; at least one.
-        segments: Vec<usize>,
+    /// A point given as one inside is on a segment.
+    #[error("{vertex}, which is to be inside, is on segment {segment} of the outline")]
+    OnSegment {
+        /// The point.
+        vertex: VertexId,
+        /// Index of the segment.
+        segment: usize,
     },
     /// A point given as one inside is outside.
     #[error("{vertex} is not inside the outline")]
@@ -59,10 +59,16 @@ impl From<Cancelled> for RegionError {
 }
 
 impl Region {
-    /// The triangulation of the vertices, inside and outside.
+    /// The triangulation, inside and outside; segment `i` of the outline is its segment `i`.
     #[must_use]
-    pub fn delaunay(&self) -> &Delaunay2 {
-        &self.delaunay
+    pub fn triangulation(&self) -> &Constrained2 {
+        &self.triangulation
+    }
+
+    /// The part inside. Takes the time of [`Constrained2::subcomplex`].
+    #[must_use]
+    pub fn subcomplex(&self) -> Subcomplex2 {
+        self.triangulation.subcomplex(|f| self.is_inside(f))
     }
 
     /// Whether `f` is inside; ghosts and faces that do not exist are not.
@@ -73,12 +79,12 @@ impl Region {
 
     /// Whether all triangles at a vertex are inside.
     fn surrounds(&self, v: VertexId) -> bool {
-        self.delaunay.mesh().star(v).all(|f| self.is_inside(f))
+        self.triangulation.mesh().star(v).all(|f| self.is_inside(f))
     }
 
     /// The triangles inside, by id.
     pub fn faces(&self) -> impl Iterator<Item = FaceId> + Clone + '_ {
-        self.delaunay.faces().filter(|&f| self.is_inside(f))
+        self.triangulation.faces().filter(|&f| self.is_inside(f))
     }
 }
 
@@ -87,28 +93,37 @@ impl Outline {
     ///
     /// A place is inside when a path to it from infinity crosses the outline an odd number of times.
     ///
-    /// Takes the time of [`Delaunay2::build_on`] and linear expected time for the rest. When segments are missing, the
-    /// search for a crossing takes n log n and, in usual outlines, about √n for each one missing.
+    /// Takes the time of [`Constrained2::build`] and linear time for the rest. When segments cross, the search for the first
+    /// ones takes n log n and, in usual outlines, about √n for each that is not in order.
     ///
     /// # Errors
     /// - [`RegionError::Build`] when the vertices have no triangulation or `report` stops the work;
-    /// - [`RegionError::Crossing`] when two segments cross, which never goes unnoticed;
-    /// - [`RegionError::MissingSegments`] when the triangulation lacks segments of the outline, also because a point given
-    ///   as one inside is on them;
-    /// - [`RegionError::NotInside`] when a point given as one inside is outside.
+    /// - [`RegionError::Crossing`] when two segments cross or touch, which never goes unnoticed;
+    /// - [`RegionError::OnSegment`], [`RegionError::NotInside`] when a point given as one inside is elsewhere.
     pub fn region(
         &self,
         options: BuildOptions,
         report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Region, RegionError> {
-        let delaunay = Delaunay2::build_on(self.points(), options, report)?;
-        let edges = OutlineEdges::of(self, delaunay.mesh());
-        if !edges.found.iter().all(|&found| found) {
-            return Err(self.why_missing(&edges.found));
+        let (points, segments) = (self.points(), self.segments());
+        let built = Constrained2::build(points, segments, Crossings::Refuse, options, report);
+        let triangulation = match built {
+            Ok(triangulation) => triangulation,
+            Err(ConstrainError::Build(error)) => return Err(error.into()),
+            Err(_) => return Err(self.why_not(&vec![true; segments.len()])),
+        };
+        let edge = |&[a, b]: &[VertexId; 2]| triangulation.mesh().find_half_edge(a, b);
+        let is_through_vertex = |ends: &[VertexId; 2]| edge(ends).is_none();
+        let through_vertices: Vec<bool> = segments.iter().map(is_through_vertex).collect();
+        if through_vertices.contains(&true) {
+            return Err(self.why_not(&through_vertices));
         }
-        let mut meter = Meter::start(report, "find inside", delaunay.mesh().face_count())?;
-        let inside = inside(delaunay.mesh(), &edges.in_outline, &mut meter)?;
-        let region = Region { delaunay, inside };
+        let components = triangulation.components(report)?;
+        let inside = triangulation.mesh().faces().map(|f| components.is_odd(f));
+        let region = Region {
+            inside: inside.collect(),
+            triangulation,
+        };
         let mut interior = self.interior().iter();
         match interior.find(|&&v| !region.surrounds(v)) {
             Some(&vertex) => Err(RegionError::NotInside { vertex }),
@@ -116,93 +131,27 @@ impl Outline {
         }
     }
 
-    /// The error for segments that are no edges. Edges of one triangulation do not cross, so of two segments that do,
-    /// one is missing.
-    fn why_missing(&self, found: &[bool]) -> RegionError {
-        let missing: Vec<bool> = found.iter().map(|found| !found).collect();
-        if let Some([first, second]) = first_crossing(self, &missing) {
+    /// The error for an outline of which some segments cross others or lead through vertices.
+    fn why_not(&self, suspect: &[bool]) -> RegionError {
+        if let Some([first, second]) = first_crossing(self, suspect) {
             return RegionError::Crossing { first, second };
         }
-        let indices = 0..missing.len();
-        let segments = indices.filter(|&segment| missing[segment]).collect();
-        RegionError::MissingSegments { segments }
-    }
-}
-
-/// Which half-edges of a triangulation are segments of an outline, and which segments are edges.
-struct OutlineEdges {
-    /// By half-edge; the same for both sides.
-    in_outline: Vec<bool>,
-    /// By segment.
-    found: Vec<bool>,
-}
-
-impl OutlineEdges {
-    fn of(outline: &Outline, mesh: &TriMesh) -> Self {
-        let indexed = outline.segments().iter().enumerate();
-        let segment_of: FxHashMap<[VertexId; 2], usize> = indexed
-            .map(|(index, &ends)| (sorted(ends), index))
-            .collect();
-        let mut edges = Self {
-            in_outline: vec![false; 4 * mesh.face_count()],
-            found: vec![false; outline.segments().len()],
+        // Only a point that ends no segment is on one without crossing another.
+        let place = |v: VertexId| self.points()[v.index()];
+        let holds = |v: VertexId, ends: [VertexId; 2]| {
+            let [a, b] = ends.map(place);
+            is_on(place(v), [a, b])
         };
-        for h in mesh.half_edges() {
-            let ends = sorted([mesh.origin(h), mesh.target(h)]);
-            if let Some(&segment) = segment_of.get(&ends) {
-                edges.in_outline[h.index()] = true;
-                edges.found[segment] = true;
-            }
-        }
-        edges
+        let segments = (0..).zip(self.segments()).filter(|(i, _)| suspect[*i]);
+        let on = segments.flat_map(|(segment, &ends)| {
+            let interior = self.interior().iter().filter(move |&&v| holds(v, ends));
+            interior.map(move |&vertex| RegionError::OnSegment { vertex, segment })
+        });
+        let vertex = self.interior().first().copied().unwrap_or(VertexId::GHOST);
+        on.into_iter()
+            .next()
+            .unwrap_or(RegionError::NotInside { vertex })
     }
-}
-
-/// By face, whether it is inside, from the ghosts on, which are not.
-fn inside(
-    mesh: &TriMesh,
-    in_outline: &[bool],
-    meter: &mut Meter<'_>,
-) -> Result<Vec<bool>, Cancelled> {
-    let mut inside: Vec<Option<bool>> = vec![None; mesh.face_count()];
-    let mut pending: Vec<(FaceId, bool)> = Vec::new();
-    for ghost in mesh.star(VertexId::GHOST) {
-        inside[ghost.index()] = Some(false);
-        pending.push((ghost, false));
-    }
-    while let Some((f, here)) = pending.pop() {
-        meter.advance()?;
-        for h in f.half_edges() {
-            let across = mesh.twin(h).face();
-            let there = here ^ in_outline[h.index()];
-            match inside[across.index()] {
-                None => {
-                    inside[across.index()] = Some(there);
-                    pending.push((across, there));
-                }
-                Some(known) => debug_assert_eq!(known, there, "{h}: the outline is closed"),
-            }
-        }
-    }
-    let told = inside.into_iter().map(|inside| inside == Some(true));
-    Ok(told.collect())
-}
-
-fn missing_text(segments: &[usize]) -> String {
-    const SHOWN: usize = 3;
-    let mut list: Vec<String> = segments.iter().take(SHOWN).map(usize::to_string).collect();
-    if segments.len() > SHOWN {
-        list.push(format!("{} more", segments.len() - SHOWN));
-    }
-    let which = match list.as_slice() {
-        [only] => format!("segment {only} of the outline is"),
-        [before @ .., last] => {
-            let before = before.join(", ");
-            format!("segments {before} and {last} of the outline are")
-        }
-        [] => "nothing of the outline is".to_owned(),
-    };
-    format!("{which} not in the Delaunay triangulation of its vertices")
 }
 
 #[cfg(test)]
@@ -246,17 +195,14 @@ mod tests {
         };
         assert_eq!(region([1.0, 2.0]).unwrap().faces().count(), 4);
         insta::assert_snapshot!(region([9.0, 9.0]).unwrap_err(), @"v4 is not inside the outline");
-        assert!(matches!(
-            region([2.0, 0.0]),
-            Err(RegionError::MissingSegments { .. })
-        ));
+        insta::assert_snapshot!(region([2.0, 0.0]).unwrap_err(), @"v4, which is to be inside, is on segment 0 of the outline");
     }
 
     #[test]
     fn triangles_that_touch_at_a_vertex_are_both_inside() {
         let region = region(&BOW, &[&[0, 1, 2], &[0, 3, 4]]).unwrap();
         assert_eq!(region.faces().count(), 2);
-        assert!(region.delaunay().faces().count() > 2);
+        assert!(region.triangulation().faces().count() > 2);
     }
 
     #[test]
@@ -265,7 +211,10 @@ mod tests {
         let points = [square(2.0), square(1.0)].concat();
         let region = region(&points, &[&[0, 1, 2, 3], &[4, 5, 6, 7]]).unwrap();
         assert_eq!(
-            (region.faces().count(), region.delaunay().faces().count()),
+            (
+                region.faces().count(),
+                region.triangulation().faces().count()
+            ),
             (8, 10)
         );
     }
@@ -273,7 +222,7 @@ mod tests {
     #[test]
     fn what_does_not_exist_is_not_inside() {
         let region = region(&BOW[..3], &[&[0, 1, 2]]).unwrap();
-        let faces = region.delaunay().mesh().face_count();
+        let faces = region.triangulation().mesh().face_count();
         assert!(!region.is_inside(FaceId::new(faces)));
         let all = (0..faces).map(FaceId::new);
         assert_eq!(all.filter(|&f| region.is_inside(f)).count(), 1);
@@ -293,14 +242,28 @@ mod tests {
     }
 
     #[test]
-    fn segments_that_are_not_delaunay_are_listed() {
+    fn segments_that_are_not_delaunay_become_edges() {
         let points = [[-9.0, 0.0], [0.0, -0.1], [9.0, 0.0], [0.0, 5.0]];
         let flat = [points.as_slice(), &[[0.0, -1.0]]].concat();
-        let error = region(&flat, &[&[0, 2, 3], &[0, 1, 4]]).unwrap_err();
-        insta::assert_snapshot!(error, @"segment 0 of the outline is not in the Delaunay triangulation of its vertices");
-        let listed = |count: usize| missing_text(&(5..5 + count).collect::<Vec<_>>());
-        insta::assert_snapshot!(listed(2), @"segments 5 and 6 of the outline are not in the Delaunay triangulation of its vertices");
-        insta::assert_snapshot!(listed(9), @"segments 5, 6, 7 and 6 more of the outline are not in the Delaunay triangulation of its vertices");
+        let region = region(&flat, &[&[0, 2, 3], &[0, 1, 4]]).unwrap();
+        assert_eq!(region.faces().count(), 2);
+        assert_eq!(region.triangulation().check(), Ok(()));
+        assert!(region.triangulation().as_delaunay().is_none());
+        assert_eq!(region.subcomplex().check(), Ok(()));
+    }
+
+    #[test]
+    fn outlines_that_touch_a_segment_are_named() {
+        let points = [
+            [0.0, 0.0],
+            [4.0, 0.0],
+            [4.0, 4.0],
+            [2.0, 0.0],
+            [3.0, -1.0],
+            [1.0, -1.0],
+        ];
+        let error = region(&points, &[&[0, 1, 2], &[3, 4, 5]]).unwrap_err();
+        insta::assert_snapshot!(error, @"segments 0 and 3 of the outline cross");
     }
 
     #[test]
@@ -308,13 +271,13 @@ mod tests {
         let points = BOW.map(DVec2::from)[..3].to_vec();
         let segments = [[0, 1], [1, 2], [2, 0]].map(|ends| ends.map(VertexId::new));
         let outline = Outline::new(points, segments.to_vec()).unwrap();
-        let mut stop = |progress: Progress| match progress.stage == "find inside" {
+        let mut stop = |progress: Progress| match progress.stage == "find parts" {
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         };
         let error = outline
             .region(BuildOptions::default(), &mut stop)
             .unwrap_err();
-        assert!(error.to_string().contains("find inside"), "{error}");
+        assert!(error.to_string().contains("find parts"), "{error}");
     }
 }

@@ -89,11 +89,22 @@ impl Subcomplex2 {
     ///
     /// `keep` is asked about real triangles only.
     #[must_use]
-    pub fn of(delaunay: &Delaunay2, mut keep: impl FnMut(FaceId) -> bool) -> Self {
-        let old = delaunay.mesh();
+    pub fn of(delaunay: &Delaunay2, keep: impl FnMut(FaceId) -> bool) -> Self {
+        Self::cut_out(&delaunay.coords, delaunay.mesh(), delaunay.filter, keep)
+    }
+
+    /// As [`of`](Self::of), from a triangulation in which every edge between a face kept and another one is Delaunay or has a
+    /// segment on it.
+    pub(super) fn cut_out(
+        coords: &[DVec2],
+        old: &TriMesh,
+        filter: Filter2,
+        mut keep: impl FnMut(FaceId) -> bool,
+    ) -> Self {
         let mut renamed = vec![None; old.face_count()];
         let mut mesh = TriMesh::default();
-        for f in delaunay.faces().filter(|&f| keep(f)) {
+        let real = old.faces().filter(|&f| !old.is_ghost_face(f));
+        for f in real.filter(|&f| keep(f)) {
             renamed[f.index()] = Some(mesh.push_face(old.face_vertices(f)));
         }
         // The half-edge of the new mesh in the place of one of the old, when its face is inside.
@@ -118,13 +129,13 @@ impl Subcomplex2 {
                 mesh.glue(ghost.half_edge(1), other.half_edge(2));
             }
         }
-        mesh.index_vertices(delaunay.coords.len());
+        mesh.index_vertices(coords.len());
         let vertices = mesh.outgoing.iter().skip(1);
         let vertex_count = vertices.filter(|&&h| h != HalfEdgeId::NONE).count();
         Self {
-            coords: delaunay.coords.clone(),
+            coords: coords.to_vec(),
             mesh,
-            filter: delaunay.filter,
+            filter,
             vacant: Vec::new(),
             vertex_count,
         }

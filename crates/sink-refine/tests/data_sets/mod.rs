@@ -16,7 +16,7 @@ pub(crate) fn usa() -> Subcomplex2 {
     let region = outline
         .region(BuildOptions::default(), &mut silent)
         .unwrap();
-    Subcomplex2::of(region.delaunay(), |f| region.is_inside(f))
+    region.subcomplex()
 }
 
 /// What a surface encloses.

@@ -41,7 +41,7 @@ const EDGE: Stroke = Stroke {
 /// Figure 3.
 pub(super) fn figure() -> Render {
     let outline = usa::triangulated()?;
-    let region = usa::stable(&outline);
+    let region = usa::stable(&outline)?;
     let graph = Graph::of(&region);
     let picture = Picture::new("Figure 3: φ over the USA data, decreasing from bottom to top")
         .panel(graph.panel())
@@ -49,7 +49,7 @@ pub(super) fn figure() -> Render {
         .key("sink, a minimum of φ", Sample::Dot(Color::RED));
     Ok(Rendered {
         svg: picture.to_svg()?,
-        summary: graph.summary(outline.delaunay())?,
+        summary: graph.summary(&usa::delaunay(&outline)?)?,
     })
 }
 

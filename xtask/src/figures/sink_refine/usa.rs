@@ -4,7 +4,7 @@ use std::error::Error;
 
 use delaunay_core::measure::triangle::radius_edge_ratio;
 use delaunay_core::progress::silent;
-use delaunay_core::{BuildOptions, Outline, Region, Subcomplex2, VertexId};
+use delaunay_core::{BuildOptions, Delaunay2, Outline, Region, Subcomplex2, VertexId};
 use fixtures::outlines;
 use glam::DVec2;
 use mesh_io::svg::{Color, Panel, Picture, Sample, Stroke, Style, Window};
@@ -185,16 +185,23 @@ pub(super) fn triangulated() -> Result<Region, Box<dyn Error>> {
     Ok(outline.region(BuildOptions::default(), &mut silent)?)
 }
 
+/// The triangulation of the corners, of which the segments of the outline are edges as it is.
+pub(super) fn delaunay(region: &Region) -> Result<Delaunay2, Box<dyn Error>> {
+    let delaunay = region.triangulation().as_delaunay();
+    delaunay.ok_or_else(|| "the outline is not Delaunay".into())
+}
+
 /// The maximal stable subcomplex of the triangles inside (§5.1).
-pub(super) fn stable(region: &Region) -> Subcomplex2 {
-    let stays = stable_faces(region.delaunay(), |f| region.is_inside(f));
-    Subcomplex2::of(region.delaunay(), |f| stays[f.index()])
+pub(super) fn stable(region: &Region) -> Result<Subcomplex2, Box<dyn Error>> {
+    let delaunay = delaunay(region)?;
+    let stays = stable_faces(&delaunay, |f| region.is_inside(f));
+    Ok(Subcomplex2::of(&delaunay, |f| stays[f.index()]))
 }
 
 /// The triangles inside the outline.
 fn region() -> Result<Subcomplex2, Box<dyn Error>> {
     let region = triangulated()?;
-    Ok(Subcomplex2::of(region.delaunay(), |f| region.is_inside(f)))
+    Ok(region.subcomplex())
 }
 
 fn paper(candidate: Candidate, schedule: Schedule) -> Method {

@@ -21,7 +21,7 @@ const SINK: Color = Color([0xc6, 0xcb, 0xd2]);
 /// Figure 2.
 pub(super) fn figure() -> Render {
     let outline = usa::triangulated()?;
-    let region = usa::stable(&outline);
+    let region = usa::stable(&outline)?;
     let sinks = Sinks::of(&region);
     let area = |color| Sample::Area(Style::line(EDGE).filled(color));
     let picture = Picture::new("Figure 2: sinks of the USA data")

@@ -3,11 +3,14 @@
 use super::corridor::Corridor;
 use super::paths::Paths;
 use super::pocket::Pocket;
+use crate::guide::Guide;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
+use crate::tri::cavity::Cavity;
 use crate::tri::delaunay::Delaunay2;
 use crate::tri::duplicates::Duplicates;
 use crate::tri::mesh::TriMesh;
 use crate::tri::sight::Sight;
+use crate::tri::subcomplex::Subcomplex2;
 use geo_predicates::filter::Filter2;
 use glam::DVec2;
 
@@ -73,6 +76,34 @@ impl Constrained2 {
             corridor: Corridor::default(),
             pockets: Default::default(),
         }
+    }
+
+    /// The same triangulation without its segments, when it is Delaunay all the same; takes linear time.
+    #[must_use]
+    pub fn as_delaunay(&self) -> Option<Delaunay2> {
+        let mut half_edges = self.mesh.half_edges();
+        if half_edges.any(|h| self.is_in_circle(h)) {
+            return None;
+        }
+        Some(Delaunay2 {
+            coords: self.coords.clone(),
+            mesh: self.mesh.clone(),
+            filter: self.filter,
+            duplicates: self.duplicates.clone(),
+            vacant: Vec::new(),
+            cavity: Cavity::default(),
+            guide: Guide::default(),
+        })
+    }
+
+    /// The triangles that `keep` keeps, with the edges between them and others as boundary. Takes linear time, and at a
+    /// boundary vertex time proportional to its degree for each part of its star.
+    ///
+    /// `keep` is asked about real triangles only, and should part them along segments alone: then all that is kept is
+    /// Delaunay, as a [`Subcomplex2`] wants it.
+    #[must_use]
+    pub fn subcomplex(&self, keep: impl FnMut(FaceId) -> bool) -> Subcomplex2 {
+        Subcomplex2::cut_out(&self.coords, &self.mesh, self.filter, keep)
     }
 
     /// The points by vertex index: those given, then those where segments were divided.

@@ -87,7 +87,7 @@ fn triangulate(
     let mut report = |progress| watch.report(progress);
     let region = outline.region(Common::build_options(), &mut report);
     let region = region.map_err(|error| failed(args, error))?;
-    Ok(Subcomplex2::of(region.delaunay(), |f| region.is_inside(f)))
+    Ok(region.subcomplex())
 }
 
 fn refined(args: &RefineArgs, params: &Params, before: [usize; 2], outcome: &Outcome2) -> Refined {
