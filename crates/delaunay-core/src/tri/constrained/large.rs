@@ -10,6 +10,7 @@ use super::triangulation::Constrained2;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::tri::delaunay::Delaunay2;
 use crate::tri::mesh::Face;
+use glam::DVec2;
 
 /// From this many wall edges on a polygon is worth a triangulation of its own.
 pub(super) const LEAST_LARGE: usize = 48;
@@ -28,28 +29,16 @@ impl Constrained2 {
         slots: &[FaceId],
         depth: usize,
     ) -> HalfEdgeId {
-        let of_corners = match depth < GREATEST_DEPTH {
-            true => self.triangulation_of(pocket, depth),
+        let inside = match depth < GREATEST_DEPTH {
+            true => Inside::of(self, pocket, depth),
             false => None,
         };
-        match of_corners.and_then(|corners| Inside::of(corners, pocket)) {
+        match inside {
             Some(inside) if inside.faces.len() == slots.len() => {
                 self.take_over(&inside, pocket, slots)
             }
             _ => self.fill_pocket(pocket, slots),
         }
-    }
-
-    /// The corners as points, with the walls as segments.
-    fn triangulation_of(&self, pocket: &Pocket, depth: usize) -> Option<Self> {
-        let places = pocket.corners.iter().map(|v| self.coords[v.slot()]);
-        let points: Vec<_> = places.collect();
-        let mut corners = Self::of(Delaunay2::build(&points).ok()?);
-        for wall in 0..pocket.walls.len() {
-            let ends = [wall, wall + 1].map(|corner| corners.vertex_at(VertexId::new(corner)));
-            corners.lay(ends, WALL, depth + 1).ok()?;
-        }
-        Some(corners)
     }
 
     /// Copies the faces inside into `slots` and gives the base.
@@ -83,14 +72,14 @@ struct Inside {
 }
 
 impl Inside {
-    /// `None` when a wall is no edge.
-    fn of(corners: Constrained2, pocket: &Pocket) -> Option<Self> {
-        let vertex = |corner: usize| corners.vertex_at(VertexId::new(corner));
-        let last = pocket.walls.len();
-        let walls =
-            (0..last).map(|wall| corners.mesh.find_half_edge(vertex(wall), vertex(wall + 1)));
-        let walls = walls.collect::<Option<_>>()?;
-        let base = corners.mesh.find_half_edge(vertex(last), vertex(0))?;
+    /// `None` when the corners have no triangulation with the walls as edges.
+    fn of(constrained: &Constrained2, pocket: &Pocket, depth: usize) -> Option<Self> {
+        let places = pocket.corners.iter().map(|v| constrained.coords[v.slot()]);
+        let points: Vec<DVec2> = places.collect();
+        let mut corners = Constrained2::of(Delaunay2::build(&points).ok()?);
+        let walls = corners.walls(pocket.walls.len(), depth)?;
+        let ends = [pocket.walls.len(), 0].map(|corner| corners.vertex_at(VertexId::new(corner)));
+        let base = corners.mesh.find_half_edge(ends[0], ends[1])?;
         let mut inside = Self {
             faces: Vec::new(),
             order: vec![usize::MAX; corners.mesh.face_count()],
@@ -122,5 +111,40 @@ impl Inside {
                 }
             }
         }
+    }
+}
+
+impl Constrained2 {
+    /// Makes edges of the walls of a polygon whose corners the points are; gives their inner sides.
+    fn walls(&mut self, count: usize, depth: usize) -> Option<Vec<HalfEdgeId>> {
+        let mut walls = vec![HalfEdgeId::NONE; count];
+        // Most are there already and join corners with numbers one after the other.
+        for h in self.mesh.half_edges() {
+            let [start, end] = [self.mesh.origin(h), self.mesh.target(h)].map(VertexId::index);
+            if start < count && end == start + 1 {
+                walls[start] = h;
+            }
+        }
+        let (known, unknown): (Vec<usize>, Vec<usize>) =
+            (0..count).partition(|&wall| walls[wall] != HalfEdgeId::NONE);
+        for wall in known {
+            self.put_label(walls[wall], WALL);
+        }
+        for &wall in &unknown {
+            self.lay(self.corners_of(wall), WALL, depth + 1).ok()?;
+        }
+        if !unknown.is_empty() {
+            // Laying edges has given new numbers to others.
+            for (wall, h) in walls.iter_mut().enumerate() {
+                let [start, end] = self.corners_of(wall);
+                *h = self.mesh.find_half_edge(start, end)?;
+            }
+        }
+        Some(walls)
+    }
+
+    /// The ends of a wall.
+    fn corners_of(&self, wall: usize) -> [VertexId; 2] {
+        [wall, wall + 1].map(|corner| self.vertex_at(VertexId::new(corner)))
     }
 }
