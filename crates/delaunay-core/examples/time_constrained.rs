@@ -7,6 +7,8 @@
 //! The points are uniform in a square; a tenth of them are joined by edges of their own triangulation, as many as there
 //! are points in that tenth. The file has the two counts, then a line for each point, then one for each segment.
 
+#![allow(clippy::print_stdout, reason = "a program for a terminal")]
+
 use delaunay_core::progress::silent;
 use delaunay_core::{BuildOptions, Constrained2, Crossings, Delaunay2, VertexId};
 use glam::DVec2;
