@@ -5,7 +5,8 @@
 use delaunay_core::geo_predicates::{Sign, orient2d};
 use delaunay_core::progress::silent;
 use delaunay_core::{
-    BuildOptions, ConstrainError, Constrained2, Crossings, VertexId, segments_cross,
+    BuildOptions, Cavity, ConstrainError, Constrained2, Crossings, HalfEdgeId, VertexId,
+    segments_cross,
 };
 use glam::DVec2;
 use proptest::prelude::*;
@@ -127,6 +128,38 @@ proptest! {
         check(&constrained, &segments);
         let cross = without_crossings(&points, &segments).len() < segments.len();
         prop_assert_eq!(build(&points, &segments).is_err(), cross);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn what_is_cut_along_segments_is_sound_and_takes_points(
+        points in points(40),
+        segments in prop::collection::vec([0..40usize, 0..40], 0..30),
+    ) {
+        let segments = without_crossings(&points, &segments);
+        let Ok(constrained) = build(&points, &segments) else { return Ok(()) };
+        let mut cut = constrained.subcomplex(|_| true);
+        prop_assert_eq!(cut.check(), Ok(()));
+        let edges = constrained.constrained_edges();
+        let on_hull = |h: &HalfEdgeId| {
+            let mesh = constrained.mesh();
+            mesh.is_ghost_face(h.face()) || mesh.is_ghost_face(mesh.twin(*h).face())
+        };
+        let inner = edges.filter(|h| !on_hull(h)).count();
+        let hull = constrained.mesh().star(VertexId::GHOST).count();
+        prop_assert_eq!(cut.boundary().count(), hull + 2 * inner);
+        let mut cavity = Cavity::default();
+        for f in cut.faces().collect::<Vec<_>>() {
+            let center = cut.triangle(f).into_iter().sum::<DVec2>() / 3.0;
+            if cut.dig(center, f, &mut cavity) {
+                cut.fill(center, &mut cavity).unwrap();
+                prop_assert_eq!(cut.check(), Ok(()));
+            }
+        }
+        prop_assert_eq!(cut.boundary().count(), hull + 2 * inner);
     }
 }
 

@@ -15,6 +15,10 @@
 //! infinite vertex has as many rings as there are curves, where one that touches itself counts as
 //! outside sees it; [`TriMesh::around`] follows one of them, and so [`TriMesh::check`] is content with a single
 //! curve only, [`Subcomplex2::check`] with any number.
+//!
+//! A subcomplex may also be cut along edges with triangles on both sides, for instance where two regions meet. Such an edge is two
+//! boundary edges with the same ends, each of which has its ghost; round their ends the two ghosts are neighbours, as
+//! nothing lies between them.
 
 use super::cavity::Cavity;
 use super::delaunay::Delaunay2;
@@ -90,16 +94,22 @@ impl Subcomplex2 {
     /// `keep` is asked about real triangles only.
     #[must_use]
     pub fn of(delaunay: &Delaunay2, keep: impl FnMut(FaceId) -> bool) -> Self {
-        Self::cut_out(&delaunay.coords, delaunay.mesh(), delaunay.filter, keep)
+        Self::cut_out(
+            &delaunay.coords,
+            delaunay.mesh(),
+            delaunay.filter,
+            keep,
+            |_| false,
+        )
     }
 
-    /// As [`of`](Self::of), from a triangulation in which every edge between a face kept and another one is Delaunay or has a
-    /// segment on it.
+    /// As [`of`](Self::of), and cut apart along the edges between faces kept that `is_cut` names from both sides.
     pub(super) fn cut_out(
         coords: &[DVec2],
         old: &TriMesh,
         filter: Filter2,
         mut keep: impl FnMut(FaceId) -> bool,
+        is_cut: impl Fn(HalfEdgeId) -> bool,
     ) -> Self {
         let mut renamed = vec![None; old.face_count()];
         let mut mesh = TriMesh::default();
@@ -114,7 +124,7 @@ impl Subcomplex2 {
         let mut boundary = Vec::new();
         for h in old.half_edges() {
             let Some(here) = inside(h) else { continue };
-            if let Some(twin) = inside(old.twin(h)) {
+            if let Some(twin) = inside(old.twin(h)).filter(|_| !is_cut(h)) {
                 mesh.set_twin(here, twin);
             } else {
                 let ghost = mesh.push_face([old.target(h), old.origin(h), VertexId::GHOST]);

@@ -96,14 +96,16 @@ impl Constrained2 {
         })
     }
 
-    /// The triangles that `keep` keeps, with the edges between them and others as boundary. Takes linear time, and at a
-    /// boundary vertex time proportional to its degree for each part of its star.
+    /// The triangles that `keep` keeps, bounded by others and by segments: where a segment has triangles kept on both sides, they
+    /// are cut apart along it, and it is two boundary edges.
     ///
     /// `keep` is asked about real triangles only, and should part them along segments alone: then all that is kept is
-    /// Delaunay, as a [`Subcomplex2`] wants it.
+    /// Delaunay, as a [`Subcomplex2`] wants it. Takes linear time, and at a boundary vertex time proportional to its degree for
+    /// each part of its star.
     #[must_use]
     pub fn subcomplex(&self, keep: impl FnMut(FaceId) -> bool) -> Subcomplex2 {
-        Subcomplex2::cut_out(&self.coords, &self.mesh, self.filter, keep)
+        let is_cut = |h: HalfEdgeId| self.is_constrained(h);
+        Subcomplex2::cut_out(&self.coords, &self.mesh, self.filter, keep, is_cut)
     }
 
     /// The points by vertex index: those given, then those where segments were divided.
