@@ -2,9 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-use delaunay_core::measure::triangle::radius_edge_ratio;
+use delaunay_core::measure::triangle::{area, radius_edge_ratio};
 use delaunay_core::progress::silent;
-use delaunay_core::{BuildOptions, HalfEdgeId, Outline, Subcomplex2, VertexId};
+use delaunay_core::{
+    BuildOptions, Constrained2, Crossings, HalfEdgeId, Outline, Subcomplex2, VertexId,
+};
 use glam::DVec2;
 use proptest::prelude::*;
 use sink_refine::{
@@ -98,5 +100,41 @@ proptest! {
         prop_assert_eq!(outcome.stop == Stop::AllGood, outcome.low.is_empty());
         let poor = outcome.region.faces().filter(|&f| radius_edge_ratio(outcome.region.triangle(f)) > 1.25 + 1e-9);
         prop_assert_eq!(poor.count(), outcome.low.len());
+    }
+
+    #[test]
+    fn regions_side_by_side_are_refined_to_one_mesh(
+        ring in prop::collection::vec(0.1..0.9f64, 5..20),
+        loose in 0..5usize,
+        method in methods(),
+        divided: bool,
+    ) {
+        // A square with a star as second region, and segments that end inside it.
+        let mut points: Vec<DVec2> = [[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]].map(DVec2::from).to_vec();
+        points.extend(star(&ring));
+        let corner = |i: usize| 4 + i % ring.len();
+        let mut segments: Vec<[usize; 2]> = (0..4).map(|i| [i, (i + 1) % 4]).collect();
+        segments.extend((0..ring.len()).map(|i| [corner(i), corner(i + 1)]));
+        for i in 0..loose {
+            segments.push([corner(i), points.len()]);
+            points.push(points[corner(i)] * 1.5);
+        }
+        let ids: Vec<[VertexId; 2]> = segments.iter().map(|ends| ends.map(VertexId::new)).collect();
+        let options = BuildOptions::default();
+        let built = Constrained2::build(&points, &ids, Crossings::Refuse, options, &mut silent);
+        prop_assume!(built.is_ok());
+        let regions = built.unwrap().subcomplex(|_| true);
+        let boundary = if divided { Boundary::Split { crease: 0.0 } } else { Boundary::Keep };
+        let outcome = refined(&regions, method, boundary, 1.25);
+        let refined = &outcome.region;
+        prop_assert_eq!(refined.check(), Ok(()));
+        let inner = |h: &HalfEdgeId| refined.segment(*h).iter().all(|p| p.abs().max_element() < 2.0);
+        let inner: Vec<HalfEdgeId> = refined.boundary().filter(inner).collect();
+        prop_assert!(inner.iter().all(|&h| refined.partner(h).is_some()));
+        if !divided {
+            prop_assert_eq!(inner.len(), 2 * (segments.len() - 4));
+        }
+        let areas = refined.faces().map(|f| area(refined.triangle(f)));
+        prop_assert!((areas.sum::<f64>() - 16.0).abs() < 1e-9);
     }
 }

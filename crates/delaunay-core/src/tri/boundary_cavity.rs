@@ -8,7 +8,7 @@
 
 use super::cavity::Cavity;
 use super::subcomplex::Subcomplex2;
-use crate::ids::{HalfEdgeId, VertexId};
+use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use geo_predicates::Sign;
 use glam::DVec2;
 
@@ -45,10 +45,62 @@ impl Subcomplex2 {
     }
 }
 
+/// Edges along which the region is cut apart.
+impl Subcomplex2 {
+    /// The other boundary edge with the ends of the boundary edge `h`, when the region is cut apart along it.
+    ///
+    /// # Panics
+    /// When there is no half-edge `h`.
+    #[must_use]
+    pub fn partner(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        let mesh = self.mesh();
+        if !self.is_boundary(h) {
+            return None;
+        }
+        // The ghost that comes before that of `h` round the start of `h`: its base starts there too.
+        let base = mesh.twin(mesh.twin(h).next()).next();
+        (mesh.target(base) == mesh.target(h)).then(|| mesh.twin(base))
+    }
+
+    /// Makes `v`, which has just divided one of two partners, divide the other one as well, in the cavity that
+    /// [`dig_on`](Self::dig_on) has found on it since for the same point; as [`fill`](Self::fill) otherwise.
+    ///
+    /// Answers `false`, with nothing changed, when ids run out or `v` divides no boundary edge.
+    #[must_use]
+    pub fn fill_other_side(&mut self, v: VertexId, cavity: &mut Cavity) -> bool {
+        let here = self.ghost_bases(v, self.mesh().star(v));
+        let [Some(here_out), Some(here_in)] = here else {
+            return false;
+        };
+        if !self.fill_with(v, cavity) {
+            return false;
+        }
+        let there = self.ghost_bases(v, cavity.faces().iter().copied());
+        if let [Some(there_out), Some(there_in)] = there {
+            self.glue(here_in.next(), there_out.prev());
+            self.glue(there_in.next(), here_out.prev());
+        }
+        true
+    }
+
+    /// Of the ghosts among some faces, the base that leaves `v` and the one that comes to it.
+    fn ghost_bases(
+        &self,
+        v: VertexId,
+        faces: impl Iterator<Item = FaceId>,
+    ) -> [Option<HalfEdgeId>; 2] {
+        let mut found = [None; 2];
+        for base in faces.filter_map(|f| self.mesh().ghost_base(f)) {
+            found[usize::from(self.mesh().origin(base) != v)] = Some(base);
+        }
+        found
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tri::Delaunay2;
+    use crate::tri::{Constrained2, Delaunay2};
 
     #[test]
     fn a_boundary_edge_is_divided_on_it_or_beside_it() {
@@ -83,6 +135,42 @@ mod tests {
             assert!(!square.dig_on(a.midpoint(b) + inward * 1.05, h, &mut cavity));
             assert!(!square.dig_on(a, h, &mut cavity));
             assert!(!square.dig_on(a - inward * 9.0, h, &mut cavity));
+        }
+    }
+
+    #[test]
+    fn a_cut_is_divided_on_both_sides_and_takes_points_afterwards() {
+        let corners = [
+            DVec2::ZERO,
+            DVec2::X,
+            DVec2::ONE,
+            DVec2::Y,
+            DVec2::splat(0.25),
+        ];
+        let [a, b] = [0, 4].map(VertexId::new);
+        for ends in [[a, b], [a, VertexId::new(2)]] {
+            let mut square = Constrained2::of(Delaunay2::build(&corners).unwrap());
+            square.add_segment(0, ends).unwrap();
+            let mut cut = square.subcomplex(|_| true);
+            let before = cut.boundary().count();
+            let h = cut.mesh().find_half_edge(a, b).unwrap();
+            let t = cut.partner(h).unwrap();
+            assert_eq!(cut.partner(t), Some(h));
+            assert_eq!(
+                cut.boundary().filter(|&h| cut.partner(h).is_some()).count(),
+                before - 4
+            );
+            let mut cavity = Cavity::default();
+            let p = DVec2::splat(0.125);
+            assert!(cut.dig_on(p, h, &mut cavity));
+            let v = cut.fill(p, &mut cavity).unwrap();
+            assert!(cut.dig_on(p, t, &mut cavity));
+            assert!(cut.fill_other_side(v, &mut cavity));
+            assert_eq!(cut.check(), Ok(()));
+            assert_eq!(cut.boundary().count(), before + 2);
+            let partners = cut.boundary().filter(|&h| cut.partner(h).is_some());
+            assert_eq!(partners.count(), before - 4 + 2);
+            assert!(!cut.fill_other_side(VertexId::GHOST, &mut cavity));
         }
     }
 }

@@ -311,11 +311,9 @@ impl Subcomplex2 {
             }
             None => return None,
         };
-        if self.mesh.face_count() + 2 > FaceId::LIMIT {
+        if !self.fill_with(v, cavity) {
             return None;
         }
-        self.mesh.fill(cavity, v);
-        self.mesh.point_at_star(cavity.faces());
         let p = p + DVec2::ZERO;
         match self.vacant.pop() {
             Some(_) => self.coords[v.slot()] = p,
@@ -323,6 +321,20 @@ impl Subcomplex2 {
         }
         self.vertex_count += 1;
         Some(v)
+    }
+
+    /// Replaces a cavity by the star of `v`; `false`, with nothing changed, when ids run out.
+    pub(super) fn fill_with(&mut self, v: VertexId, cavity: &mut Cavity) -> bool {
+        if self.mesh.face_count() + 2 > FaceId::LIMIT {
+            return false;
+        }
+        self.mesh.fill(cavity, v);
+        self.mesh.point_at_star(cavity.faces());
+        true
+    }
+
+    pub(super) fn glue(&mut self, g: HalfEdgeId, h: HalfEdgeId) {
+        self.mesh.glue(g, h);
     }
 
     /// What would fill the hole if `v` were removed: the triangles of its neighbours. Nothing changes. Takes d log d time

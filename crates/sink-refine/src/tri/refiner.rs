@@ -119,11 +119,36 @@ impl<'a> Refiner<'a> {
     pub(crate) fn insert_on_boundary(&mut self, proposal: &mut Proposal) -> Result<VertexId, Stop> {
         let vertex = self.fill(proposal)?;
         self.counters.split += 1;
-        let mut star = proposal.prestar.faces().to_vec();
-        star.retain(|&f| !self.region.mesh().is_ghost_face(f));
-        self.examine(&star)?;
+        self.examine_real(proposal.prestar.faces())?;
         self.meter.advance()?;
         Ok(vertex)
+    }
+
+    /// Lets a vertex that has just been inserted on a boundary edge divide the edge on the other side of a cut, with the
+    /// prestar there.
+    ///
+    /// # Errors
+    /// As [`insert`](Self::insert).
+    pub(crate) fn insert_on_other_side(
+        &mut self,
+        vertex: VertexId,
+        proposal: &mut Proposal,
+    ) -> Result<(), Stop> {
+        self.gone.clear();
+        self.gone.extend_from_slice(proposal.prestar.faces());
+        if !self.region.fill_other_side(vertex, &mut proposal.prestar) {
+            return Err(Stop::OutOfIds);
+        }
+        self.records.inherit(proposal.prestar.faces(), &self.gone);
+        self.records.forget(self.gone.drain(..));
+        self.examine_real(proposal.prestar.faces())
+    }
+
+    /// As [`examine`](Self::examine), of faces that may be ghosts.
+    fn examine_real(&mut self, faces: &[FaceId]) -> Result<(), Stop> {
+        let mut real = faces.to_vec();
+        real.retain(|&f| !self.region.mesh().is_ghost_face(f));
+        self.examine(&real)
     }
 
     /// Replaces a prestar by the star of its point, and forgets what is gone.

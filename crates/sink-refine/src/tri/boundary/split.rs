@@ -53,7 +53,16 @@ impl Splitter {
             return Ok(false);
         }
         let size = self.size(region, h);
+        let other = region.partner(h);
         let vertex = refiner.insert_on_boundary(&mut self.proposal)?;
+        if let Some(other) = other {
+            // What was proposed there is still so, but for the ids of ghosts.
+            let divides = refiner
+                .region
+                .dig_on(point, other, &mut self.proposal.prestar);
+            debug_assert!(divides, "{other} is divided as {h} is");
+            refiner.insert_on_other_side(vertex, &mut self.proposal)?;
+        }
         self.sizes
             .resize(refiner.region.points().len(), f64::INFINITY);
         self.sizes[vertex.index()] = size;
@@ -61,8 +70,14 @@ impl Splitter {
         Ok(true)
     }
 
-    /// Finds what has to give way when a point becomes a vertex on a boundary edge; tells whether it may.
+    /// Finds what has to give way when a point becomes a vertex on a boundary edge; tells whether it may, on both sides of a cut.
     fn propose(&mut self, refiner: &Refiner<'_>, h: HalfEdgeId, point: DVec2) -> bool {
+        let other = refiner.region.partner(h);
+        other.is_none_or(|other| self.propose_on_side(refiner, other, point))
+            && self.propose_on_side(refiner, h, point)
+    }
+
+    fn propose_on_side(&mut self, refiner: &Refiner<'_>, h: HalfEdgeId, point: DVec2) -> bool {
         let region = &refiner.region;
         let allowed = refiner.records.largest_radius(region, h.face());
         let least = self.size(region, h).min(allowed) / PARTS;
