@@ -36,6 +36,7 @@
 
 pub mod convert;
 pub mod picture;
+pub mod plane;
 pub mod quality;
 pub mod solid;
 pub mod voronoi;

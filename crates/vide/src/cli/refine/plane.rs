@@ -3,9 +3,10 @@
 use std::fmt::Display;
 
 use vide::convert::region_mesh;
-use vide::delaunay_core::{Outline, Subcomplex2, VertexId};
+use vide::delaunay_core::{Crossings, Subcomplex2};
 use vide::glam::DVec2;
 use vide::mesh_io::{Cell, Mesh, PlanarGraph};
+use vide::plane::GivenRegion;
 use vide::sink_refine::{Outcome2, Params, Sizing, refine2_sized};
 
 use super::report::of_region;
@@ -79,13 +80,9 @@ fn triangulate(
     outline: &PlanarGraph,
     watch: &mut Watch,
 ) -> Result<Subcomplex2, Failure> {
-    let points = outline.points.iter().copied().map(DVec2::from).collect();
-    let segments = outline.segments.iter();
-    let segments = segments.map(|ends| ends.map(|v| VertexId::new(v as usize)));
-    let outline =
-        Outline::with_interior(points, segments.collect()).map_err(|error| failed(args, error))?;
     let mut report = |progress| watch.report(progress);
-    let region = outline.region(Common::build_options(), &mut report);
+    let options = Common::build_options();
+    let region = GivenRegion::of(outline, Crossings::Refuse, options, &mut report);
     let region = region.map_err(|error| failed(args, error))?;
     Ok(region.subcomplex())
 }
