@@ -14,9 +14,8 @@
 use std::f64::consts::PI;
 
 use delaunay_core::measure::triangle;
+use delaunay_core::{HalfEdgeId, Subcomplex2, VertexId};
 use glam::DVec2;
-
-use crate::error::BoundaryError;
 
 /// A circle round a mesh node, or round the centroid of a mesh triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,44 +57,51 @@ impl Bubble {
     pub fn area(&self) -> f64 {
         PI * self.radius * self.radius
     }
+
+    /// Area of the bubble over that of a triangle; infinite when the triangle has none. Source: eq. 5.
+    pub(crate) fn density_in(&self, corners: [DVec2; 3]) -> f64 {
+        match triangle::signed_area(corners).abs() {
+            0.0 => f64::INFINITY,
+            area => self.area() / area,
+        }
+    }
 }
 
-/// Area of the bubble at a boundary node whose two edges have lengths `l1` and `l2`: the mean of the areas of
-/// two equilateral triangles on those edges.
+/// Area of the bubble at a boundary node whose edges have these lengths: the mean of the areas of equilateral
+/// triangles on those edges.
 ///
-/// Square of the unit of length. Source: eq. 1.
+/// Square of the unit of length; 0 without edges. Source: eq. 1, where the edges are two; where loops touch they
+/// are four or more.
 #[must_use]
-pub fn boundary_node_area(l1: f64, l2: f64) -> f64 {
-    3f64.sqrt() / 8.0 * (l1 * l1 + l2 * l2)
+pub fn boundary_node_area(lengths: &[f64]) -> f64 {
+    let squares: f64 = lengths.iter().map(|length| length * length).sum();
+    3f64.sqrt() / 4.0 * squares / lengths.len().max(1) as f64
 }
 
-/// Radius of the bubble at a boundary node whose two edges have lengths `l1` and `l2`.
+/// Radius of the bubble at a boundary node whose edges have these lengths.
 ///
-/// Same unit as the lengths; 0.3713 of the length when both are equal. Source: eq. 2.
+/// Same unit as the lengths; 0.3713 of the length when all are equal. Source: eq. 2.
 #[must_use]
-pub fn boundary_node_radius(l1: f64, l2: f64) -> f64 {
-    (boundary_node_area(l1, l2) / PI).sqrt()
+pub fn boundary_node_radius(lengths: &[f64]) -> f64 {
+    (boundary_node_area(lengths) / PI).sqrt()
 }
 
-/// Bubbles of the nodes of a closed boundary, in the order of the nodes.
+/// Bubbles of the boundary nodes of a region, by vertex; inner vertices and points without triangles have radius 0.
 ///
-/// `nodes` follow each other round the boundary in either sense, the last is joined to the first. Whether the
-/// boundary crosses itself is not looked at. O(nodes). Source: eq. 2.
-///
-/// # Errors
-/// [`BoundaryError`] when there are fewer than three nodes, and for the first node that is not an accepted
-/// point or is in the same place as the next.
-pub fn boundary_bubbles(nodes: &[DVec2]) -> Result<Vec<Bubble>, BoundaryError> {
-    let lengths = edge_lengths(nodes)?;
-    let before = lengths.iter().cycle().skip(lengths.len() - 1);
-    let bubbles = nodes
-        .iter()
-        .zip(before.zip(&lengths))
-        .map(|(&center, (&before, &after))| Bubble {
-            center,
-            radius: boundary_node_radius(before, after),
-        });
-    Ok(bubbles.collect())
+/// An edge with the region on both sides counts once, and neither the order nor the sense of the edges shows. Takes n log n
+/// time. Source: eq. 2.
+#[must_use]
+pub fn boundary_bubbles(region: &Subcomplex2) -> Vec<Bubble> {
+    let without_size = |&center| Bubble {
+        center,
+        radius: 0.0,
+    };
+    let mut bubbles: Vec<Bubble> = region.points().iter().map(without_size).collect();
+    for edges in edges_by_node(region).chunk_by(|a, b| a.0 == b.0) {
+        let lengths: Vec<f64> = edges.iter().map(|&(_, length)| length).collect();
+        bubbles[edges[0].0.index()].radius = boundary_node_radius(&lengths);
+    }
+    bubbles
 }
 
 /// Density of the bubble of the triangle between three nodes: area of the bubble over area of the triangle.
@@ -104,10 +110,7 @@ pub fn boundary_bubbles(nodes: &[DVec2]) -> Result<Vec<Bubble>, BoundaryError> {
 /// triangle without area: no node can be put into it. Source: eq. 5.
 #[must_use]
 pub fn bubble_density(nodes: [Bubble; 3]) -> f64 {
-    match triangle::area(nodes.map(|node| node.center)) {
-        0.0 => f64::INFINITY,
-        area => Bubble::of_element(nodes).area() / area,
-    }
+    Bubble::of_element(nodes).density_in(nodes.map(|node| node.center))
 }
 
 /// The centroid of a triangle, which is always inside it (§2.2).
@@ -116,18 +119,15 @@ pub fn centroid([a, b, c]: [DVec2; 3]) -> DVec2 {
     a + ((b - a) + (c - a)) / 3.0
 }
 
-/// The length of the edge after each node; at least three, none zero.
-fn edge_lengths(nodes: &[DVec2]) -> Result<Vec<f64>, BoundaryError> {
-    delaunay_core::geo_predicates::check_points2(nodes)?;
-    if nodes.len() < 3 {
-        return Err(BoundaryError::TooFewNodes { count: nodes.len() });
+/// Every node with the length of each of its edges, sorted, so that equal boundaries give equal bits.
+fn edges_by_node(region: &Subcomplex2) -> Vec<(VertexId, f64)> {
+    let mesh = region.mesh();
+    let is_second = |h: HalfEdgeId| region.partner(h).is_some_and(|partner| partner < h);
+    let mut edges: Vec<(VertexId, f64)> = Vec::new();
+    for h in region.boundary().filter(|&h| !is_second(h)) {
+        let [a, b] = region.segment(h);
+        edges.extend([mesh.origin(h), mesh.target(h)].map(|v| (v, a.distance(b))));
     }
-    let next = nodes.iter().cycle().skip(1);
-    let edges = nodes.iter().zip(next).enumerate();
+    edges.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
     edges
-        .map(|(node, (start, end))| match start.distance(*end) {
-            0.0 => Err(BoundaryError::RepeatedNode { node }),
-            length => Ok(length),
-        })
-        .collect()
 }

@@ -1,62 +1,86 @@
-//! What to mesh, judged once: a convex region given by the nodes of its boundary.
+//! What to mesh, judged once: the region that an outline bounds.
 
-use delaunay_core::{Delaunay2, VertexId};
-use glam::DVec2;
+use std::ops::ControlFlow;
+
+use delaunay_core::measure::{Sum, triangle};
+use delaunay_core::progress::Progress;
+use delaunay_core::{BuildOptions, Outline, Subcomplex2, VertexId};
 
 use crate::bubble::{Bubble, boundary_bubbles};
 use crate::error::DomainError;
 
-/// A convex region with refined boundary: its nodes, their bubbles and their triangulation, the initial boundary
-/// mesh (§2.1).
+/// A region of any form, with holes, parts that touch and parts that lie apart: its boundary nodes, their bubbles
+/// and the triangles between them, the initial boundary mesh (§2.1).
 ///
-/// In a convex region every boundary edge is an edge of the Delaunay triangulation of the nodes, and remains
-/// one whatever nodes are put inside. So nothing has to be constrained.
+/// ```
+/// use bubble_mesh::Domain;
+/// use delaunay_core::{BuildOptions, Outline, VertexId, progress::silent};
+/// use glam::DVec2;
+///
+/// // A square frame: one loop in another.
+/// let square = |s: f64| [[-s, -s], [s, -s], [s, s], [-s, s]].map(DVec2::from);
+/// let points = [square(2.0), square(1.0)].concat();
+/// let segments = (0..8).map(|i| [i, i / 4 * 4 + (i + 1) % 4].map(VertexId::new));
+/// let outline = Outline::new(points, segments.collect())?;
+/// let domain = Domain::new(&outline, BuildOptions::default(), &mut silent)?;
+/// assert_eq!(domain.region().faces().count(), 8);
+/// assert_eq!(domain.area(), 12.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Domain {
-    pub(crate) delaunay: Delaunay2,
-    pub(crate) bubbles: Vec<Bubble>,
+    region: Subcomplex2,
+    bubbles: Vec<Bubble>,
 }
 
 impl Domain {
-    /// The region inside the closed boundary through `nodes`, in either sense; node i is vertex i.
+    /// The region that the outline bounds; point i of the outline is boundary node i.
     ///
-    /// Nodes may divide a straight side if they are on it exactly. Takes the time of a Delaunay triangulation.
+    /// `options` and `report` are those of [`Outline::region`], whose time it takes.
     ///
     /// # Errors
-    /// [`DomainError`] when `nodes` are no closed boundary or not convex, with the node.
-    pub fn convex(nodes: &[DVec2]) -> Result<Self, DomainError> {
-        let bubbles = boundary_bubbles(nodes)?;
-        let delaunay = Delaunay2::build(nodes)?;
-        match misplaced(&delaunay, nodes.len()) {
-            Some(node) => Err(DomainError::NotConvex { node }),
-            None => Ok(Self { delaunay, bubbles }),
+    /// [`DomainError`] when the outline comes with points inside, or bounds no region, with the element in question.
+    pub fn new(
+        outline: &Outline,
+        options: BuildOptions,
+        report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Self, DomainError> {
+        Self::of(outline.region(options, report)?.subcomplex())
+    }
+
+    /// The domain of a region that has been triangulated, regions side by side for instance; all its vertices are boundary nodes.
+    ///
+    /// # Errors
+    /// [`DomainError::InteriorPoint`] when a vertex is not on the boundary.
+    pub fn of(region: Subcomplex2) -> Result<Self, DomainError> {
+        let bubbles = boundary_bubbles(&region);
+        match bubbles.iter().position(|bubble| bubble.radius == 0.0) {
+            Some(index) => Err(DomainError::InteriorPoint {
+                vertex: VertexId::new(index),
+            }),
+            None => Ok(Self { region, bubbles }),
         }
     }
 
-    /// The bubbles of the boundary nodes.
+    /// The initial boundary mesh: triangles between the boundary nodes, which fill the region.
+    #[must_use]
+    pub fn region(&self) -> &Subcomplex2 {
+        &self.region
+    }
+
+    /// The bubbles of the boundary nodes, by vertex. Source: eq. 1 and 2.
     #[must_use]
     pub fn bubbles(&self) -> &[Bubble] {
         &self.bubbles
     }
 
-    /// The initial boundary mesh: the Delaunay triangulation of the boundary nodes.
+    /// The area of the region, `A_geo` of eq. 6; square of the unit of length.
     #[must_use]
-    pub fn delaunay(&self) -> &Delaunay2 {
-        &self.delaunay
+    pub fn area(&self) -> f64 {
+        let mut sum = Sum::default();
+        for f in self.region.faces() {
+            sum.add(triangle::area(self.region.triangle(f)));
+        }
+        sum.total()
     }
-}
-
-/// The first node that is not on the hull, or not beside its neighbors there.
-fn misplaced(delaunay: &Delaunay2, count: usize) -> Option<usize> {
-    let mesh = delaunay.mesh();
-    let beside = |i: usize, j: usize| (i + 1) % count == j || (j + 1) % count == i;
-    let inside = (0..count).find(|&node| !mesh.is_on_hull(VertexId::new(node)));
-    inside.or_else(|| {
-        let ends = delaunay
-            .hull()
-            .map(|h| [mesh.origin(h).index(), mesh.target(h).index()]);
-        ends.filter(|&[i, j]| !beside(i, j))
-            .map(|[i, j]| i.min(j))
-            .min()
-    })
 }

@@ -1,42 +1,38 @@
-//! What can be wrong with the input, by the node that is wrong.
+//! What can be wrong with the input, by the element that is wrong.
 
-use delaunay_core::BuildError;
-use delaunay_core::geo_predicates::CoordinateError;
+use delaunay_core::{ConstrainError, RegionError, VertexId};
 use thiserror::Error;
 
-/// Why nodes are no closed boundary.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum BoundaryError {
-    /// A coordinate is not accepted; the index in the error is that of the node.
-    #[error(transparent)]
-    Coordinate(#[from] CoordinateError),
-    /// There are fewer than three nodes.
-    #[error("{count} nodes do not make a closed boundary")]
-    TooFewNodes {
-        /// Nodes given.
-        count: usize,
-    },
-    /// A node and the one that follows it are in one place, so their edge gives no size.
-    #[error("boundary node {node} and the next one are in the same place")]
-    RepeatedNode {
-        /// Index of the node.
-        node: usize,
-    },
-}
-
-/// Why nodes do not bound a region that can be meshed.
+/// Why an outline bounds no region that can be meshed.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum DomainError {
-    /// They are no closed boundary.
-    #[error(transparent)]
-    Boundary(#[from] BoundaryError),
-    /// They have no triangulation.
-    #[error(transparent)]
-    Build(#[from] BuildError),
-    /// The boundary through them is not convex.
-    #[error("the boundary is not convex at node {node}, or crosses itself there")]
-    NotConvex {
-        /// Index of the first node that is not on the convex hull, or not where the boundary has it.
-        node: usize,
+    /// It comes with points inside, which no boundary edge gives a size.
+    #[error("{vertex} is the end of no segment, so nothing says how large its bubble is")]
+    InteriorPoint {
+        /// The first such point.
+        vertex: VertexId,
     },
+    /// It bounds no region.
+    #[error(transparent)]
+    Region(#[from] RegionError),
+}
+
+/// Why a mesh is not optimized.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum OptimizeError {
+    /// Radii can not be amplified so.
+    #[error("the amplification {amplification} is not a number above 0 and up to 100")]
+    Amplification {
+        /// As given.
+        amplification: f64,
+    },
+    /// Forces can not move nodes so.
+    #[error("the step {step} is not a number from 0 to 1")]
+    Step {
+        /// As given.
+        step: f64,
+    },
+    /// The moved nodes have no triangulation: the report closure stopped it. Nodes are moved so that nothing else happens.
+    #[error("the moved nodes have no triangulation: {0}")]
+    Triangulation(#[from] ConstrainError),
 }

@@ -46,7 +46,6 @@ fn refined(region: &Subcomplex2, method: Method, boundary: Boundary, ratio: f64)
         method,
         boundary,
         max_new_vertices: 20_000,
-        ..Params::default()
     };
     refine2(region.clone(), &params, &mut silent).unwrap()
 }

@@ -51,4 +51,5 @@ mod summary;
 pub use angle::AngleSummary;
 pub use histogram::Histogram;
 pub use statistics::Statistics;
+pub use sum::Sum;
 pub use summary::Summary;

@@ -1,8 +1,16 @@
 //! Sums that lose no digits over millions of terms.
 
 /// A running sum after Neumaier: what each addition rounds off is added up beside it.
+///
+/// ```
+/// use delaunay_core::measure::Sum;
+///
+/// let mut sum = Sum::default();
+/// [1.0, 1e100, 1.0, -1e100].into_iter().for_each(|term| sum.add(term));
+/// assert_eq!(sum.total(), 2.0);
+/// ```
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Sum {
+pub struct Sum {
     count: u64,
     sum: f64,
     lost: f64,
@@ -10,7 +18,7 @@ pub(super) struct Sum {
 
 impl Sum {
     /// Adds one term.
-    pub(super) fn add(&mut self, term: f64) {
+    pub fn add(&mut self, term: f64) {
         let sum = self.sum + term;
         self.lost += if self.sum.abs() >= term.abs() {
             (self.sum - sum) + term
@@ -22,7 +30,8 @@ impl Sum {
     }
 
     /// The sum of the terms.
-    pub(super) fn total(&self) -> f64 {
+    #[must_use]
+    pub fn total(&self) -> f64 {
         // An infinite term leaves NaN in `lost`, which must not spoil the infinite sum.
         if self.sum.is_finite() {
             self.sum + self.lost

@@ -1,25 +1,17 @@
-//! Luo, *Automatic Delaunay mesh generation method and physically-based mesh optimization method on two-dimensional regions*: bubbles
-//! and the mesh that they lead to, in a convex region.
+//! Bubbles of a boundary and the mesh that they lead to, in a convex region.
 
-use bubble_mesh::{Bubble, Domain, Mesh, Params, bubble_density, generate, radius_ratio};
+use bubble_mesh::paper::{Mesh, Params, generate};
+use bubble_mesh::{Bubble, Domain, bubble_density, radius_ratio};
 use delaunay_core::measure::{Statistics, triangle};
 use delaunay_core::progress::silent;
-use delaunay_core::{Delaunay2, FaceId};
+use delaunay_core::{FaceId, Subcomplex2};
 use glam::DVec2;
 use mesh_io::svg::{Color, Panel, Picture, Sample, Stroke, Style, Window};
 
-use super::shades::Shades;
-use super::table::Table;
-use super::{Figure, Render, Rendered};
-
-/// The bubbles of a boundary and the mesh.
-pub const FIGURES: &[Figure] = &[Figure {
-    name: "bubbles_boundary",
-    caption: "The nodes of a boundary have bubbles as large as its edges ask for; they give bubbles to the triangles between them. Where \
-              bubbles cover little of a triangle a node is missing. Nodes are added until the bubbles of the triangles have the area \
-              of the region.",
-    render: boundary_and_mesh,
-}];
+use super::outline::domain_of_loop;
+use crate::figures::shades::Shades;
+use crate::figures::table::Table;
+use crate::figures::{Render, Rendered};
 
 const EDGE: Stroke = Stroke::thin(Color::INK);
 const NODE_BUBBLE: Stroke = Stroke::medium(Color::BLUE);
@@ -27,9 +19,10 @@ const ELEMENT_BUBBLE: Stroke = Stroke::medium(Color::RED);
 
 const DENSITY: Shades = Shades::LACK_IS_RED;
 
-fn boundary_and_mesh() -> Render {
-    let domain = Domain::convex(&boundary())?;
-    let mesh = generate(domain.clone(), &Params::default(), &mut silent);
+/// The bubbles of a boundary and the mesh.
+pub(super) fn figure() -> Render {
+    let domain = domain_of_loop(boundary())?;
+    let mesh = generate(&domain, &Params::paper(), &mut silent);
     let (start, end) = (State::of_domain(&domain), State::of_mesh(&mesh));
 
     let mut left = start.panel().caption("the nodes of the boundary");
@@ -70,28 +63,28 @@ fn on_egg(s: f64) -> DVec2 {
 
 /// A triangulation with the bubbles of its nodes.
 struct State<'a> {
-    delaunay: &'a Delaunay2,
+    region: &'a Subcomplex2,
     bubbles: &'a [Bubble],
 }
 
 impl<'a> State<'a> {
     fn of_domain(domain: &'a Domain) -> Self {
         Self {
-            delaunay: domain.delaunay(),
+            region: domain.region(),
             bubbles: domain.bubbles(),
         }
     }
 
     fn of_mesh(mesh: &'a Mesh) -> Self {
         Self {
-            delaunay: &mesh.delaunay,
-            bubbles: &mesh.bubbles,
+            region: mesh.region(),
+            bubbles: mesh.bubbles(),
         }
     }
 
     /// The bubbles of the corners of a triangle.
     fn corners(&self, f: FaceId) -> [Bubble; 3] {
-        let vertices = self.delaunay.mesh().face_vertices(f);
+        let vertices = self.region.mesh().face_vertices(f);
         vertices.map(|v| self.bubbles[v.index()])
     }
 
@@ -106,17 +99,17 @@ impl<'a> State<'a> {
 
     /// A panel with the triangles coloured by bubble density.
     fn panel(&self) -> Panel {
-        let window = Window::around(self.delaunay.points().iter().copied());
+        let window = Window::around(self.region.points().iter().copied());
         let mut panel = Panel::new(window.widened(0.06)).width(480.0);
-        let triangle = |f| (self.delaunay.triangle(f), self.density(f));
-        let triangles: Vec<_> = self.delaunay.faces().map(triangle).collect();
+        let triangle = |f| (self.region.triangle(f), self.density(f));
+        let triangles: Vec<_> = self.region.faces().map(triangle).collect();
         DENSITY.draw(&mut panel, "triangles of density", EDGE, &triangles);
         panel
     }
 
     fn draw_element_bubbles(&self, panel: &mut Panel) {
         let elements = panel.layer("element bubbles", Style::line(ELEMENT_BUBBLE));
-        for bubble in self.delaunay.faces().map(|f| self.element(f)) {
+        for bubble in self.region.faces().map(|f| self.element(f)) {
             elements.circle(bubble.center, bubble.radius);
         }
     }
@@ -138,13 +131,13 @@ fn summary(start: &State<'_>, end: &State<'_>, mesh: &Mesh) -> String {
         .fold(table, |table, ((name, before), (_, after))| {
             table.row([name.to_owned(), before, after])
         })
-        .row(["stopped because", "-", &format!("{:?}", mesh.stop)])
+        .row(["stopped because", "-", &format!("{:?}", mesh.stop())])
         .to_string()
 }
 
 fn numbers(state: &State<'_>) -> Vec<(&'static str, String)> {
-    let faces = || state.delaunay.faces();
-    let shape = |f| state.delaunay.triangle(f);
+    let faces = || state.region.faces();
+    let shape = |f| state.region.triangle(f);
     let area: f64 = faces().map(|f| triangle::area(shape(f))).sum();
     let covered: f64 = faces().map(|f| state.element(f).area()).sum();
     let mut numbers = vec![
