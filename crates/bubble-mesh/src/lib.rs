@@ -12,6 +12,7 @@
 mod bubble;
 mod domain;
 mod error;
+pub mod graded;
 pub mod paper;
 
 pub use bubble::{

@@ -82,8 +82,8 @@ pub use tet::{
     Solid, SolidError, Surface, SurfaceError, TetBoundary, TetsError, triangles_intersect,
 };
 pub use tri::{
-    Around, Cavity, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted, Location,
-    PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,
+    Around, Cavity, Complex2, ConvexPolygon, Delaunay2, Duplicates, Extent, Flat, Hull, Inserted,
+    Location, PolygonError, RimEdge, TriMesh, Violation, Voronoi, VoronoiEdge,
 };
 pub use tri::{
     Components, ConstrainError, Constrained2, ConstrainedViolation, Crossing, Crossings, SeedError,

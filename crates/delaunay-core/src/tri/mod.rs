@@ -12,6 +12,7 @@
 //! | the Voronoi diagram | `dual.rs`, `convex.rs`, `carve.rs` |
 //! | closed outlines and what they enclose | `outline.rs`, `region.rs`, `crossing.rs` |
 //! | a part with a boundary of its own | `subcomplex.rs`, `boundary_cavity.rs` |
+//! | triangles that need not be Delaunay | `complex.rs` |
 //! | weighted points | `regular/` |
 //! | invariants | `check.rs` |
 
@@ -23,6 +24,7 @@ mod canonical;
 mod carve;
 mod cavity;
 mod check;
+mod complex;
 mod constrained;
 mod convex;
 mod crossing;
@@ -48,6 +50,7 @@ mod subcomplex;
 pub use around::Around;
 pub use cavity::{Cavity, RimEdge};
 pub use check::Violation;
+pub use complex::Complex2;
 pub use constrained::{
     Components, ConstrainError, Constrained2, ConstrainedViolation, Crossing, Crossings, SeedError,
 };

@@ -71,7 +71,7 @@ pub struct Refilled {
 
 impl Refilled {
     /// Takes note that the face `old` becomes `new`.
-    fn note_move(&mut self, old: FaceId, new: FaceId) {
+    pub(super) fn note_move(&mut self, old: FaceId, new: FaceId) {
         if old != new {
             self.moved.push((old, new));
             let made = self.made.iter_mut().filter(|f| **f == old);

@@ -375,6 +375,11 @@ impl Subcomplex2 {
         refilled
     }
 
+    /// Coordinates by vertex slot, mesh and ids of removed vertices.
+    pub(super) fn into_parts(self) -> (Vec<DVec2>, TriMesh, Vec<VertexId>) {
+        (self.coords, self.mesh, self.vacant)
+    }
+
     pub(super) fn sight(&self, p: DVec2) -> Sight<'_> {
         Sight::new(&self.coords, self.filter, p)
     }

@@ -1,0 +1,147 @@
+//! Sweeps of moves and flips until nothing is gained any more.
+
+use delaunay_core::measure::triangle::radius_ratio;
+use delaunay_core::progress::{Cancelled, Meter};
+use delaunay_core::{Complex2, FaceId, HalfEdgeId, VertexId};
+
+use super::energy::Energy;
+use super::smooth::Smoother;
+
+/// A flip has to gain so much.
+const LEAST_GAIN: f64 = 1e-9;
+
+/// Which vertices are moved.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sweeps {
+    pub(super) energy: Energy,
+    /// A vertex is moved again when it or a neighbour has moved by more than this share of an edge.
+    pub(super) tolerance: f64,
+    /// At most this many sweeps.
+    pub(super) limit: usize,
+    /// The first sweep moves the vertices of triangles below this ratio only.
+    pub(super) below: f64,
+}
+
+/// Lowers the cost of all triangles; at most so many sweeps, each of which lowers it or is the last.
+///
+/// # Errors
+/// When the meter stops it; the mesh is valid then too.
+pub(super) fn optimize(
+    complex: &mut Complex2,
+    sweeps: Sweeps,
+    meter: &mut Meter<'_>,
+) -> Result<(), Cancelled> {
+    let mut worklist = Worklist::of(complex, sweeps.below);
+    let mut smoother = Smoother::default();
+    let mut changed: Vec<FaceId> = complex.faces().collect();
+    for _ in 0..sweeps.limit {
+        let moved = worklist.sweep(complex, &mut smoother, sweeps, &mut changed, meter)?;
+        let flipped = flip_all(complex, sweeps.energy, &mut changed);
+        worklist.mark(complex, &flipped);
+        if !moved && flipped.is_empty() {
+            break;
+        }
+        changed.clear();
+    }
+    Ok(())
+}
+
+/// The vertices that may have something to gain.
+struct Worklist {
+    inner: Vec<VertexId>,
+    /// By vertex index.
+    pending: Vec<bool>,
+}
+
+impl Worklist {
+    fn of(complex: &Complex2, below: f64) -> Self {
+        let mut worklist = Self {
+            inner: complex.inner_vertices().collect(),
+            pending: vec![false; complex.points().len()],
+        };
+        let poor = complex
+            .faces()
+            .filter(|&f| radius_ratio(complex.triangle(f)) < below);
+        let poor: Vec<FaceId> = poor.collect();
+        worklist.mark(complex, &poor);
+        worklist
+    }
+
+    /// Marks the corners of triangles.
+    fn mark(&mut self, complex: &Complex2, faces: &[FaceId]) {
+        for &f in faces {
+            for v in complex.mesh().face_vertices(f) {
+                self.pending[v.index()] = true;
+            }
+        }
+    }
+
+    /// Moves every vertex that may gain something; lists the triangles that have changed and tells whether any has moved.
+    fn sweep(
+        &mut self,
+        complex: &mut Complex2,
+        smoother: &mut Smoother,
+        sweeps: Sweeps,
+        changed: &mut Vec<FaceId>,
+        meter: &mut Meter<'_>,
+    ) -> Result<bool, Cancelled> {
+        let mut any = false;
+        for k in 0..self.inner.len() {
+            let v = self.inner[k];
+            if !self.pending[v.index()] {
+                continue;
+            }
+            meter.advance()?;
+            self.pending[v.index()] = false;
+            if smoother.smooth(complex, v, sweeps.energy) > sweeps.tolerance {
+                any = true;
+                for f in complex.mesh().star(v) {
+                    changed.push(f);
+                    for w in complex.mesh().face_vertices(f) {
+                        self.pending[w.index()] = true;
+                    }
+                }
+            }
+        }
+        changed.sort_unstable();
+        changed.dedup();
+        Ok(any)
+    }
+}
+
+/// Flips edges of the triangles listed, and of those that change, as long as that lowers the cost; gives the triangles that
+/// have changed.
+///
+/// Every flip lowers the sum of the costs, so no triangulation comes back.
+pub(super) fn flip_all(
+    complex: &mut Complex2,
+    energy: Energy,
+    pending: &mut Vec<FaceId>,
+) -> Vec<FaceId> {
+    let mut flipped = Vec::new();
+    while let Some(f) = pending.pop() {
+        let gain = |h: &HalfEdgeId| gains(complex, *h, energy);
+        let Some(h) = f.half_edges().into_iter().find(gain) else {
+            continue;
+        };
+        let faces = [f, complex.mesh().twin(h).face()];
+        if complex.flip(h).is_some() {
+            flipped.extend(faces);
+            pending.extend(faces);
+        }
+    }
+    flipped
+}
+
+/// Whether the flip of an edge lowers the cost.
+fn gains(complex: &Complex2, h: HalfEdgeId, energy: Energy) -> bool {
+    let mesh = complex.mesh();
+    let t = mesh.twin(h);
+    let corners = [mesh.origin(h), mesh.target(h), mesh.apex(h), mesh.apex(t)];
+    if corners.iter().any(|v| v.is_ghost()) {
+        return false;
+    }
+    let [a, b, c, d] = corners.map(|v| complex.point(v));
+    let before = energy.of([a, b, c]) + energy.of([b, a, d]);
+    energy.of([a, d, c]) + energy.of([d, b, c]) < before - LEAST_GAIN
+}

@@ -1,0 +1,66 @@
+//! What can be asked for, and how it ended.
+
+use delaunay_core::progress::Cancelled;
+use thiserror::Error;
+
+/// How to mesh beyond the paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GradedParams {
+    /// Edges inside over those that the boundary asks for; 0.85, above 0. Smaller values make more triangles.
+    pub scale: f64,
+    /// Steps of the forces between neighbours; 45.
+    pub relaxation: usize,
+    /// At most this many sweeps of the optimization; 60.
+    pub sweeps: usize,
+    /// At most this many nodes, those of the boundary included; a million.
+    pub nodes: usize,
+}
+
+impl Default for GradedParams {
+    fn default() -> Self {
+        Self {
+            scale: 0.85,
+            relaxation: 45,
+            sweeps: 60,
+            nodes: 1_000_000,
+        }
+    }
+}
+
+/// Why it ended. The mesh is valid in every case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// All was done.
+    Done,
+    /// The budget of nodes is used up; what was placed is optimized.
+    OutOfNodes,
+    /// The report closure stopped it.
+    Cancelled,
+}
+
+impl From<Cancelled> for Stop {
+    fn from(_: Cancelled) -> Self {
+        Self::Cancelled
+    }
+}
+
+/// Why nothing is meshed.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum GradedError {
+    /// The scale is no scale.
+    #[error("the scale {scale} is not a finite number above 0")]
+    Scale {
+        /// As given.
+        scale: f64,
+    },
+}
+
+impl GradedParams {
+    pub(super) fn check(&self) -> Result<(), GradedError> {
+        let scale = self.scale;
+        match scale > 0.0 && scale < f64::INFINITY {
+            true => Ok(()),
+            false => Err(GradedError::Scale { scale }),
+        }
+    }
+}
