@@ -13,7 +13,7 @@ use std::time::Instant;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scale = std::env::args()
         .nth(1)
-        .map_or(Ok(0.85), |word| word.parse())?;
+        .map_or(Ok(GradedParams::default().scale), |word| word.parse())?;
     for (name, graph) in fixtures::outlines::bubble_regions() {
         let points = graph.points.into_iter().map(DVec2::from).collect();
         let segments = graph.segments.iter();

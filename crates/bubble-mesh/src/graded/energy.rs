@@ -2,7 +2,6 @@
 //!
 //! With d = 1 - ρ a triangle costs d + d₀ (d / d₀)^p: the mean counts as long as d is below d₀, beyond it the worst.
 
-use delaunay_core::measure::triangle::radius_ratio;
 use glam::DVec2;
 
 /// Cost of a triangle that is flat or turned over: more than any other.
@@ -13,7 +12,7 @@ pub(super) const FORBIDDEN: f64 = 1e9;
 pub(super) struct Energy {
     /// d₀.
     knee: f64,
-    /// p, a power of two times 1 or 3, at least 8.
+    /// p.
     power: Power,
 }
 
@@ -38,50 +37,149 @@ pub(super) const LAST: Energy = Energy {
 impl Energy {
     /// Cost of a triangle with corners counterclockwise.
     #[inline]
-    pub(super) fn of(&self, corners: [DVec2; 3]) -> f64 {
-        let [a, b, c] = corners;
-        if (b - a).perp_dot(c - a) <= 0.0 {
+    pub(super) fn of(&self, [a, b, c]: [DVec2; 3]) -> f64 {
+        let (u, w, base) = (a - b, a - c, c - b);
+        let area = base.perp_dot(u);
+        if area <= 0.0 {
             return FORBIDDEN;
         }
-        let short = 1.0 - radius_ratio(corners);
-        let (power, _) = self.power(short / self.knee);
+        let [u, w, base] = [u, w, base].map(DVec2::length);
+        let ratio = 4.0 * area * area / (u * w * base * (u + w + base));
+        let short = 1.0 - ratio;
+        let [power, ..] = self.power(short / self.knee);
         short + self.knee * power
     }
 
-    /// Cost of the triangle `apex`, `a`, `b`, counterclockwise, and its gradient when the apex moves; the cost is forbidden for a
-    /// triangle that is flat or turned over.
+    /// Cost of the triangle `apex`, `a`, `b`, counterclockwise, with its first and second derivatives when the apex moves. `None`
+    /// for a triangle that is flat or turned over.
     #[inline]
-    pub(super) fn with_gradient(&self, apex: DVec2, [a, b]: [DVec2; 2]) -> (f64, DVec2) {
+    pub(super) fn expansion(&self, apex: DVec2, [a, b]: [DVec2; 2]) -> Option<Expansion> {
         let (u, w, base) = (apex - a, apex - b, b - a);
         let area = base.perp_dot(u);
         if area <= 0.0 {
-            return (FORBIDDEN, DVec2::ZERO);
+            return None;
         }
         let [lu, lw, lb] = [u, w, base].map(DVec2::length);
         let around = lu + lw + lb;
         let ratio = 4.0 * area * area / (lu * lw * lb * around);
+        let (u, w, base) = (u / lu, w / lw, base.perp() / area);
+        // Derivatives of the logarithm of the ratio, 2 ln area - ln lu - ln lw - ln around.
+        let along = (u + w) / around;
+        let slope = 2.0 * base - u / lu - w / lw - along;
+        let in_u = Symmetric::of(u);
+        let in_w = Symmetric::of(w);
+        let curvature = Symmetric::of(base) * -2.0
+            + (in_u * 2.0 - Symmetric::ONE) * (1.0 / (lu * lu))
+            + (in_w * 2.0 - Symmetric::ONE) * (1.0 / (lw * lw))
+            + (in_u - Symmetric::ONE) * (1.0 / (lu * around))
+            + (in_w - Symmetric::ONE) * (1.0 / (lw * around))
+            + Symmetric::of(along);
+        // Those of the cost.
         let short = 1.0 - ratio;
-        let (power, slope) = self.power(short / self.knee);
-        // The gradient of the logarithm of the ratio.
-        let logarithmic =
-            2.0 * base.perp() / area - u / (lu * lu) - w / (lw * lw) - (u / lu + w / lw) / around;
-        let gradient = -(1.0 + slope) * ratio * logarithmic;
-        (short + self.knee * power, gradient)
+        let [power, first, second] = self.power(short / self.knee);
+        let by_ratio = -(1.0 + first);
+        let squared_slope = Symmetric::of(slope);
+        let by_slopes = second / self.knee * ratio * ratio;
+        Some(Expansion {
+            cost: short + self.knee * power,
+            gradient: by_ratio * ratio * slope,
+            hessian: (curvature + squared_slope) * (by_ratio * ratio) + squared_slope * by_slopes,
+        })
     }
 
-    /// A power and its derivative.
+    /// A power and its derivatives.
     #[inline]
-    fn power(&self, x: f64) -> (f64, f64) {
+    fn power(&self, x: f64) -> [f64; 3] {
         let x2 = x * x;
-        let x4 = x2 * x2;
-        let x7 = x4 * x2 * x;
+        let x6 = x2 * x2 * x2;
         match self.power {
-            Power::Eight => (x7 * x, 8.0 * x7),
+            Power::Eight => [x6 * x2, 8.0 * x6 * x, 56.0 * x6],
             Power::TwentyFour => {
-                let x8 = x7 * x;
-                let x16 = x8 * x8;
-                (x16 * x8, 24.0 * x16 * x7)
+                let x22 = x6 * x6 * x6 * x2 * x2;
+                [x22 * x2, 24.0 * x22 * x, 552.0 * x22]
             }
+        }
+    }
+}
+
+/// A cost with its derivatives.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Expansion {
+    pub(super) cost: f64,
+    pub(super) gradient: DVec2,
+    pub(super) hessian: Symmetric,
+}
+
+impl std::ops::AddAssign for Expansion {
+    fn add_assign(&mut self, other: Self) {
+        self.cost += other.cost;
+        self.gradient += other.gradient;
+        self.hessian = self.hessian + other.hessian;
+    }
+}
+
+/// A symmetric matrix.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Symmetric {
+    xx: f64,
+    xy: f64,
+    yy: f64,
+}
+
+impl Symmetric {
+    const ONE: Self = Self {
+        xx: 1.0,
+        xy: 0.0,
+        yy: 1.0,
+    };
+
+    /// The product of a vector with itself.
+    fn of(v: DVec2) -> Self {
+        Self {
+            xx: v.x * v.x,
+            xy: v.x * v.y,
+            yy: v.y * v.y,
+        }
+    }
+
+    /// The solution of `self` x = `right`, when the matrix is positive definite, clearly.
+    pub(super) fn solve(self, right: DVec2) -> Option<DVec2> {
+        let determinant = self.xx * self.yy - self.xy * self.xy;
+        let enough = 1e-12 * (self.xx * self.xx + self.yy * self.yy);
+        let x = self.yy * right.x - self.xy * right.y;
+        let y = self.xx * right.y - self.xy * right.x;
+        (self.xx > 0.0 && determinant > enough).then(|| DVec2::new(x, y) / determinant)
+    }
+}
+
+impl std::ops::Add for Symmetric {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            xx: self.xx + other.xx,
+            xy: self.xy + other.xy,
+            yy: self.yy + other.yy,
+        }
+    }
+}
+
+impl std::ops::Sub for Symmetric {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + other * -1.0
+    }
+}
+
+impl std::ops::Mul<f64> for Symmetric {
+    type Output = Self;
+
+    fn mul(self, by: f64) -> Self {
+        Self {
+            xx: self.xx * by,
+            xy: self.xy * by,
+            yy: self.yy * by,
         }
     }
 }
@@ -107,24 +205,31 @@ mod tests {
     }
 
     #[test]
-    fn the_gradient_is_that_of_the_cost() {
+    fn derivatives_are_those_of_the_cost() {
         for energy in [FIRST, LAST] {
             for apex in [
                 DVec2::new(0.4, 0.9),
                 DVec2::new(0.1, 0.7),
                 DVec2::new(0.9, 0.8),
             ] {
-                let cost = |apex: DVec2| energy.of([apex, A, B]);
-                let (value, gradient) = energy.with_gradient(apex, [A, B]);
-                assert!((value - cost(apex)).abs() < 1e-12 * (1.0 + value));
+                let at = |apex: DVec2| energy.expansion(apex, [A, B]).unwrap();
+                let here = at(apex);
+                let cost = energy.of([apex, A, B]);
+                assert!((here.cost - cost).abs() < 1e-12 * (1.0 + cost));
                 let step = 1e-6;
-                let difference = |along: DVec2| {
-                    (cost(apex + step * along) - cost(apex - step * along)) / (2.0 * step)
-                };
-                let expected = DVec2::new(difference(DVec2::X), difference(DVec2::Y));
+                let [x, y] = [DVec2::X, DVec2::Y].map(|along| {
+                    let [ahead, behind] = [step, -step].map(|by| at(apex + by * along));
+                    let slope = (ahead.cost - behind.cost) / (2.0 * step);
+                    (slope, (ahead.gradient - behind.gradient) / (2.0 * step))
+                });
+                let gradient = DVec2::new(x.0, y.0);
+                assert!((here.gradient - gradient).length() < 1e-6 * (1.0 + gradient.length()));
+                let Symmetric { xx, xy, yy } = here.hessian;
+                let off = [xx - x.1.x, xy - x.1.y, xy - y.1.x, yy - y.1.y];
                 assert!(
-                    (gradient - expected).length() < 1e-6 * (1.0 + gradient.length()),
-                    "{gradient} {expected}"
+                    off.iter()
+                        .all(|off| off.abs() < 1e-5 * (1.0 + xx.abs() + yy.abs())),
+                    "{off:?}"
                 );
             }
         }

@@ -1,15 +1,16 @@
 //! The whole, step by step.
 
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 
 use delaunay_core::Complex2;
 use delaunay_core::measure::triangle::radius_ratio;
-use delaunay_core::progress::{Meter, Progress};
+use delaunay_core::progress::{Cancelled, Meter, Progress};
 
 use super::energy::{FIRST, LAST};
 use super::optimize::{Sweeps, optimize};
 use super::params::{GradedError, GradedParams, Stop};
-use super::place::{Order, Placed, place};
+use super::place::{Order, place};
 use super::relax::relax;
 use super::size::SizeField;
 use crate::domain::Domain;
@@ -19,117 +20,192 @@ use crate::domain::Domain;
 pub struct GradedMesh {
     /// The triangles; the boundary nodes are those of the domain, with the same ids.
     pub complex: Complex2,
-    /// The size asked for at each node, by vertex.
-    pub sizes: Vec<f64>,
     /// Why it ended.
     pub stop: Stop,
 }
 
 /// The mesh of a region whose boundary edges say how large its triangles should be.
 ///
-/// The boundary stays as it is. Takes n log n time; `report` cancels the work by [`ControlFlow::Break`]. The same domain gives
-/// the same mesh, bit for bit, on any number of threads.
+/// The boundary stays as it is. Two meshes are started, one from the largest gaps and one layer by layer, and the one with the
+/// better shapes is kept. Takes n log n time; `report` cancels the work by [`ControlFlow::Break`]. The same domain gives the
+/// same mesh, bit for bit, on any number of threads.
+///
+/// ```
+/// use bubble_mesh::graded::{GradedParams, mesh};
+/// use bubble_mesh::{Domain, radius_ratio};
+/// use delaunay_core::{BuildOptions, Outline, VertexId, progress::silent};
+/// use glam::DVec2;
+///
+/// // A circle with 60 nodes.
+/// let node = |i: usize| DVec2::from_angle(i as f64 * std::f64::consts::TAU / 60.0);
+/// let edges = (0..60).map(|i| [i, (i + 1) % 60].map(VertexId::new));
+/// let circle = Outline::new((0..60).map(node).collect(), edges.collect())?;
+/// let domain = Domain::new(&circle, BuildOptions::default(), &mut silent)?;
+/// let mesh = mesh(&domain, &GradedParams::default(), &mut silent)?.complex;
+/// assert!(mesh.faces().all(|f| radius_ratio(mesh.triangle(f)) > 0.9));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`GradedError`] when the parameters are none to work with.
 pub fn mesh(
     domain: &Domain,
     params: &GradedParams,
-    report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    report: &mut (dyn FnMut(Progress) -> ControlFlow<()> + Send),
 ) -> Result<GradedMesh, GradedError> {
     params.check()?;
-    // The bubble of a node with two edges of length l has radius 0.3713 l.
-    let per_radius = (4.0 * std::f64::consts::PI / 3.0_f64.sqrt()).sqrt();
-    let sizes: Vec<f64> = domain
-        .bubbles()
-        .iter()
-        .map(|bubble| per_radius * bubble.radius)
-        .collect();
+    let sizes = boundary_sizes(domain);
     let places = domain.region().points().iter().copied();
     let field = SizeField::new(places.zip(sizes.iter().copied()), params.scale);
-    let Ok(mut meter) = Meter::start(report, "place nodes", 0) else {
-        return Ok(unmeshed(domain, sizes));
-    };
-    let placed = place(
-        domain.region(),
-        &sizes,
-        &field,
-        if std::env::var("LF").is_ok() { Order::LargestFirst } else { Order::LayersFirst },
-        params.nodes,
-        &mut meter,
-    );
-    let Placed {
-        region,
-        sizes,
-        stop,
-    } = placed;
-    let mut mesh = GradedMesh {
-        complex: Complex2::of(region),
-        sizes,
-        stop,
+    let report = Mutex::new(report);
+    let start = |order: Order| start(domain, &sizes, &field, order, params, &mut told(&report));
+    let (layers, gaps) = rayon::join(|| start(Order::LayersFirst), || start(Order::LargestFirst));
+    let mut mesh = if gaps.is_better_than(&layers) {
+        gaps
+    } else {
+        layers
     };
     if mesh.stop != Stop::Cancelled
-        && let Err(stop) = mesh.improve(params, report)
+        && let Err(cancelled) = mesh.polish(params, &mut told(&report))
     {
-        mesh.stop = stop;
+        mesh.stop = cancelled.into();
     }
     Ok(mesh)
 }
 
-fn unmeshed(domain: &Domain, sizes: Vec<f64>) -> GradedMesh {
-    GradedMesh {
-        complex: Complex2::of(domain.region().clone()),
-        sizes,
-        stop: Stop::Cancelled,
+/// A closure for one thread that reports through that of all.
+fn told<'a>(
+    report: &'a Mutex<&mut (dyn FnMut(Progress) -> ControlFlow<()> + Send)>,
+) -> impl FnMut(Progress) -> ControlFlow<()> + 'a {
+    move |progress| match report.lock() {
+        Ok(mut report) => report(progress),
+        // Another thread has panicked in the closure.
+        Err(_) => ControlFlow::Break(()),
     }
 }
 
+/// The sizes of the boundary nodes, by vertex: the root of the mean square of their edges.
+fn boundary_sizes(domain: &Domain) -> Vec<f64> {
+    // The bubble of a node has the area of the regular triangle of its size.
+    let per_radius = (4.0 * std::f64::consts::PI / 3.0_f64.sqrt()).sqrt();
+    let bubbles = domain.bubbles().iter();
+    bubbles.map(|bubble| per_radius * bubble.radius).collect()
+}
+
+/// Places nodes in one order, evens them out and makes their triangles better.
+fn start(
+    domain: &Domain,
+    sizes: &[f64],
+    field: &SizeField,
+    order: Order,
+    params: &GradedParams,
+    report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> GradedMesh {
+    let Ok(mut meter) = Meter::start(report, "place nodes", 0) else {
+        return GradedMesh {
+            complex: Complex2::of(domain.region().clone()),
+            stop: Stop::Cancelled,
+        };
+    };
+    let placed = place(
+        domain.region(),
+        sizes,
+        field,
+        order,
+        params.nodes,
+        &mut meter,
+    );
+    let mut mesh = GradedMesh {
+        complex: Complex2::of(placed.region),
+        stop: placed.stop,
+    };
+    if mesh.stop != Stop::Cancelled
+        && let Err(cancelled) = mesh.improve(&placed.sizes, params, report)
+    {
+        mesh.stop = cancelled.into();
+    }
+    mesh
+}
+
 impl GradedMesh {
-    /// Moves nodes and flips edges for better shapes.
+    /// Evens out the places of the nodes, then makes the shapes better.
     fn improve(
         &mut self,
+        sizes: &[f64],
         params: &GradedParams,
         report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), Cancelled> {
         let mut meter = Meter::start(report, "relax", 0)?;
-        relax(
-            &mut self.complex,
-            &self.sizes,
-            params.relaxation,
-            &mut meter,
-        )?;
+        relax(&mut self.complex, sizes, params.relaxation, &mut meter)?;
         let mut meter = Meter::start(report, "optimize", 0)?;
-        let first = Sweeps {
+        let sweeps = Sweeps {
             energy: FIRST,
             tolerance: 1e-2,
             limit: params.sweeps,
-            below: 2.0,
+            below: f64::INFINITY,
         };
-        optimize(&mut self.complex, first, &mut meter)?;
+        optimize(&mut self.complex, sweeps, &mut meter)
+    }
+
+    /// Makes the worst triangles better at the cost of others, unless the mean loses more than the worst gain.
+    fn polish(
+        &mut self,
+        params: &GradedParams,
+        report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<(), Cancelled> {
+        let mut meter = Meter::start(report, "polish", 0)?;
         let mut polished = self.complex.clone();
-        let last = Sweeps {
+        let sweeps = Sweeps {
             energy: LAST,
             tolerance: 3e-3,
+            limit: params.sweeps,
             below: 0.94,
-            ..first
         };
-        optimize(&mut polished, last, &mut meter)?;
-        let [before, after] = [&self.complex, &polished].map(quality);
-        if after.0 - before.0 > 0.5 * (before.1 - after.1) {
+        optimize(&mut polished, sweeps, &mut meter)?;
+        let [before, after] = [&self.complex, &polished].map(Quality::of);
+        if after.least - before.least > 0.5 * (before.mean - after.mean) {
             self.complex = polished;
         }
         Ok(())
     }
+
+    /// Whether it is complete and its triangles cost less on average than those of another mesh, or the other is not complete.
+    fn is_better_than(&self, other: &Self) -> bool {
+        let cost = |mesh: &Self| {
+            let costs = mesh
+                .complex
+                .faces()
+                .map(|f| FIRST.of(mesh.complex.triangle(f)));
+            let (sum, count) =
+                costs.fold((0.0, 0.0), |(sum, count), cost| (sum + cost, count + 1.0));
+            sum / f64::max(count, 1.0)
+        };
+        match (self.stop, other.stop) {
+            (Stop::Cancelled, _) => false,
+            (_, Stop::Cancelled) => true,
+            _ => cost(self) < cost(other),
+        }
+    }
 }
 
-/// The least radius ratio and the mean.
-fn quality(complex: &Complex2) -> (f64, f64) {
-    let (mut least, mut sum, mut count) = (f64::INFINITY, 0.0, 0.0_f64);
-    for f in complex.faces() {
-        let ratio = radius_ratio(complex.triangle(f));
-        least = least.min(ratio);
-        sum += ratio;
-        count += 1.0;
+/// Radius ratios of triangles.
+struct Quality {
+    least: f64,
+    mean: f64,
+}
+
+impl Quality {
+    fn of(complex: &Complex2) -> Self {
+        let ratios = complex.faces().map(|f| radius_ratio(complex.triangle(f)));
+        let (mut least, mut sum, mut count) = (1.0, 0.0, 0.0);
+        for ratio in ratios {
+            least = f64::min(least, ratio);
+            sum += ratio;
+            count += 1.0;
+        }
+        Self {
+            least,
+            mean: sum / f64::max(count, 1.0),
+        }
     }
-    (least, sum / count.max(1.0))
 }

@@ -10,6 +10,10 @@ use super::smooth::Smoother;
 /// A flip has to gain so much.
 const LEAST_GAIN: f64 = 1e-9;
 
+/// No flip betters two triangles that cost less than this: it takes two with right angles, which cost 0.17, for both
+/// diagonals to be as good.
+const GOOD: f64 = 0.1;
+
 /// Which vertices are moved.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sweeps {
@@ -120,7 +124,8 @@ pub(super) fn flip_all(
 ) -> Vec<FaceId> {
     let mut flipped = Vec::new();
     while let Some(f) = pending.pop() {
-        let gain = |h: &HalfEdgeId| gains(complex, *h, energy);
+        let cost = energy.of(complex.triangle(f));
+        let gain = |h: &HalfEdgeId| gains(complex, *h, cost, energy);
         let Some(h) = f.half_edges().into_iter().find(gain) else {
             continue;
         };
@@ -133,8 +138,8 @@ pub(super) fn flip_all(
     flipped
 }
 
-/// Whether the flip of an edge lowers the cost.
-fn gains(complex: &Complex2, h: HalfEdgeId, energy: Energy) -> bool {
+/// Whether the flip of an edge lowers the cost; `cost` is that of its face.
+fn gains(complex: &Complex2, h: HalfEdgeId, cost: f64, energy: Energy) -> bool {
     let mesh = complex.mesh();
     let t = mesh.twin(h);
     let corners = [mesh.origin(h), mesh.target(h), mesh.apex(h), mesh.apex(t)];
@@ -142,6 +147,9 @@ fn gains(complex: &Complex2, h: HalfEdgeId, energy: Energy) -> bool {
         return false;
     }
     let [a, b, c, d] = corners.map(|v| complex.point(v));
-    let before = energy.of([a, b, c]) + energy.of([b, a, d]);
-    energy.of([a, d, c]) + energy.of([d, b, c]) < before - LEAST_GAIN
+    let beyond = energy.of([b, a, d]);
+    if cost.max(beyond) < GOOD {
+        return false;
+    }
+    energy.of([a, d, c]) + energy.of([d, b, c]) < cost + beyond - LEAST_GAIN
 }

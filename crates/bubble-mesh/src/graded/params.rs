@@ -6,9 +6,9 @@ use thiserror::Error;
 /// How to mesh beyond the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GradedParams {
-    /// Edges inside over those that the boundary asks for; 0.85, above 0. Smaller values make more triangles.
+    /// Edges inside over those that the boundary asks for; 0.88, above 0. Smaller values make more triangles.
     pub scale: f64,
-    /// Steps of the forces between neighbours; 45.
+    /// Steps of the forces between neighbours; 100.
     pub relaxation: usize,
     /// At most this many sweeps of the optimization; 60.
     pub sweeps: usize,
@@ -19,8 +19,8 @@ pub struct GradedParams {
 impl Default for GradedParams {
     fn default() -> Self {
         Self {
-            scale: 0.85,
-            relaxation: 45,
+            scale: 0.88,
+            relaxation: 100,
             sweeps: 60,
             nodes: 1_000_000,
         }

@@ -166,6 +166,31 @@ impl Complex2 {
         moves
     }
 
+    /// Moves many vertices at once when all are inside and all triangles stay counterclockwise; tells whether it did, nothing
+    /// has changed else. Places are by vertex, in the same order. Linear time.
+    pub fn move_vertices(&mut self, vertices: &[VertexId], places: &[DVec2]) -> bool {
+        let may_move =
+            |(&v, &p): (&VertexId, &DVec2)| self.is_inner(v) && check_point2(0, p).is_ok();
+        if vertices.len() != places.len() || !vertices.iter().zip(places).all(may_move) {
+            return false;
+        }
+        let before: Vec<DVec2> = vertices.iter().map(|&v| self.point(v)).collect();
+        self.put_all(vertices, places);
+        let moved = self
+            .faces()
+            .all(|f| self.is_counterclockwise(self.triangle(f)));
+        if !moved {
+            self.put_all(vertices, &before);
+        }
+        moved
+    }
+
+    fn put_all(&mut self, vertices: &[VertexId], places: &[DVec2]) {
+        for (v, &p) in vertices.iter().zip(places) {
+            self.coords[v.slot()] = p + DVec2::ZERO;
+        }
+    }
+
     /// Turns the edge of `h` into the other diagonal of its quadrilateral when it is inside and the quadrilateral is strictly
     /// convex; gives the sides of the quadrilateral then, from inside. The two triangles keep their ids.
     pub fn flip(&mut self, h: HalfEdgeId) -> Option<[HalfEdgeId; 4]> {
