@@ -1,6 +1,6 @@
 //! Meshes the bubble paper's regions and prints counts, qualities and times.
 //!
-//! `cargo run --release -p bubble-mesh --example mesh_region`
+//! `cargo run --release -p bubble-mesh --example mesh_region -- [SCALE] [TRIALS]`
 #![allow(clippy::print_stdout, reason = "a program for a terminal")]
 
 use bubble_mesh::graded::{GradedParams, mesh};
@@ -14,6 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scale = std::env::args()
         .nth(1)
         .map_or(Ok(GradedParams::default().scale), |word| word.parse())?;
+    let trials = std::env::args().nth(2).map_or(Ok(0), |word| word.parse())?;
     for (name, graph) in fixtures::outlines::bubble_regions() {
         let points = graph.points.into_iter().map(DVec2::from).collect();
         let segments = graph.segments.iter();
@@ -22,6 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let domain = Domain::new(&outline, BuildOptions::default(), &mut silent)?;
         let params = GradedParams {
             scale,
+            trials,
             ..GradedParams::default()
         };
         let mut best = f64::INFINITY;

@@ -89,5 +89,5 @@ pub use tri::{
     Components, ConstrainError, Constrained2, ConstrainedViolation, Crossing, Crossings, SeedError,
 };
 pub use tri::{Outline, OutlineError, Region, RegionError, segments_cross};
-pub use tri::{Patch2, Refilled, Subcomplex2};
+pub use tri::{Patch2, Piece2, Refilled, Subcomplex2};
 pub use tri::{Regular2, RegularViolation2};

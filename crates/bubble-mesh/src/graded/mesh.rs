@@ -12,6 +12,7 @@ use super::optimize::{Sweeps, optimize};
 use super::params::{GradedError, GradedParams, Stop};
 use super::place::{Order, place};
 use super::relax::relax;
+use super::search::search;
 use super::size::SizeField;
 use crate::domain::Domain;
 
@@ -66,7 +67,7 @@ pub fn mesh(
         layers
     };
     if mesh.stop != Stop::Cancelled
-        && let Err(cancelled) = mesh.polish(params, &mut told(&report))
+        && let Err(cancelled) = mesh.finish(params, &mut told(&report))
     {
         mesh.stop = cancelled.into();
     }
@@ -127,6 +128,16 @@ fn start(
     mesh
 }
 
+/// Sweeps of all nodes, for the mean.
+fn first_sweeps(params: &GradedParams) -> Sweeps {
+    Sweeps {
+        energy: FIRST,
+        tolerance: 1e-2,
+        limit: params.sweeps,
+        below: f64::INFINITY,
+    }
+}
+
 impl GradedMesh {
     /// Evens out the places of the nodes, then makes the shapes better.
     fn improve(
@@ -138,13 +149,21 @@ impl GradedMesh {
         let mut meter = Meter::start(report, "relax", 0)?;
         relax(&mut self.complex, sizes, params.relaxation, &mut meter)?;
         let mut meter = Meter::start(report, "optimize", 0)?;
-        let sweeps = Sweeps {
-            energy: FIRST,
-            tolerance: 1e-2,
-            limit: params.sweeps,
-            below: f64::INFINITY,
-        };
-        optimize(&mut self.complex, sweeps, &mut meter)
+        optimize(&mut self.complex, first_sweeps(params), &mut meter)
+    }
+
+    /// Changes the connectivity where that pays, and makes the worst triangles better.
+    fn finish(
+        &mut self,
+        params: &GradedParams,
+        report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<(), Cancelled> {
+        if params.trials > 0 {
+            let mut meter = Meter::start(report, "search", params.trials)?;
+            search(&mut self.complex, params.trials, &mut meter)?;
+            optimize(&mut self.complex, first_sweeps(params), &mut meter)?;
+        }
+        self.polish(params, report)
     }
 
     /// Makes the worst triangles better at the cost of others, unless the mean loses more than the worst gain.

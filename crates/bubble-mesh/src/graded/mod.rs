@@ -11,6 +11,7 @@
 //! | forces between neighbours | `relax.rs` |
 //! | what poor shapes cost | `energy.rs` |
 //! | moves and flips that lower the cost | `optimize.rs`, `smooth.rs` |
+//! | changes of connectivity round the worst triangles | `search/` |
 //! | the whole, step by step | `mesh.rs`, `params.rs` |
 
 mod energy;
@@ -19,6 +20,7 @@ mod optimize;
 mod params;
 mod place;
 mod relax;
+mod search;
 mod size;
 mod smooth;
 

@@ -12,6 +12,9 @@ pub struct GradedParams {
     pub relaxation: usize,
     /// At most this many sweeps of the optimization; 60.
     pub sweeps: usize,
+    /// Changes of connectivity that are tried, the worst triangles first; none by default. With a thousand for a thousand nodes
+    /// the mean ratio gains about three thousandths, in a tenth of a second.
+    pub trials: usize,
     /// At most this many nodes, those of the boundary included; a million.
     pub nodes: usize,
 }
@@ -22,6 +25,7 @@ impl Default for GradedParams {
             scale: 0.88,
             relaxation: 100,
             sweeps: 60,
+            trials: 0,
             nodes: 1_000_000,
         }
     }

@@ -142,6 +142,20 @@ impl Complex2 {
         }
     }
 
+    /// The place of any vertex, no numbers for the ghost.
+    pub(super) fn place_of(&self, v: VertexId) -> DVec2 {
+        self.coords[v.slot()]
+    }
+
+    pub(super) fn mesh_mut(&mut self) -> &mut TriMesh {
+        &mut self.mesh
+    }
+
+    /// Puts a vertex somewhere; whether its triangles stay what they are is not asked.
+    pub(super) fn put(&mut self, v: VertexId, p: DVec2) {
+        self.coords[v.slot()] = p;
+    }
+
     fn is_counterclockwise(&self, [a, b, c]: [DVec2; 3]) -> bool {
         orient2d(a, b, c) == Sign::Positive
     }

@@ -12,7 +12,7 @@
 //! | the Voronoi diagram | `dual.rs`, `convex.rs`, `carve.rs` |
 //! | closed outlines and what they enclose | `outline.rs`, `region.rs`, `crossing.rs` |
 //! | a part with a boundary of its own | `subcomplex.rs`, `boundary_cavity.rs` |
-//! | triangles that need not be Delaunay | `complex.rs` |
+//! | triangles that need not be Delaunay | `complex.rs`, `piece.rs` |
 //! | weighted points | `regular/` |
 //! | invariants | `check.rs` |
 
@@ -40,6 +40,7 @@ mod locate;
 mod mesh;
 mod nearest;
 mod outline;
+mod piece;
 mod region;
 mod regular;
 mod remove;
@@ -65,6 +66,7 @@ pub use insert::Inserted;
 pub use locate::Location;
 pub use mesh::TriMesh;
 pub use outline::{Outline, OutlineError};
+pub use piece::Piece2;
 pub use region::{Region, RegionError};
 pub use regular::{Regular2, RegularViolation2};
 pub use remove::Refilled;

@@ -387,7 +387,7 @@ impl Subcomplex2 {
 
 /// The boundary half-edge into the origin of the boundary half-edge `h` that is met first on the way clockwise
 /// round that vertex, through what is outside.
-fn across_outside(
+pub(super) fn across_outside(
     mesh: &TriMesh,
     h: HalfEdgeId,
     is_inside: impl Fn(HalfEdgeId) -> bool,
