@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
         let below = ratios.iter().filter(|&&ratio| ratio < 0.85).count();
         println!(
-            "{name:26} {:5} triangles, min {least:.4}, mean {mean:.4}, {below} below 0.85, {:.1} ms",
+            "{name:26} {:5} triangles, min {least:.4}, mean {mean:.5}, {below} below 0.85, {:.1} ms",
             ratios.len(),
             1e3 * best
         );

@@ -30,7 +30,7 @@ pub(super) const FIRST: Energy = Energy {
 
 /// The last energy: the worst triangles, wherever they are below 0.92.
 pub(super) const LAST: Energy = Energy {
-    knee: 0.08,
+    knee: 0.084,
     power: Power::TwentyFour,
 };
 

@@ -13,7 +13,7 @@ use super::params::{GradedError, GradedParams, Stop};
 use super::place::{Order, place};
 use super::relax::relax;
 use super::search::search;
-use super::size::SizeField;
+use super::size::{SizeField, Sizing};
 use crate::domain::Domain;
 
 /// A graded mesh.
@@ -54,13 +54,30 @@ pub fn mesh(
     params: &GradedParams,
     report: &mut (dyn FnMut(Progress) -> ControlFlow<()> + Send),
 ) -> Result<GradedMesh, GradedError> {
+    mesh_sized(domain, params, None, report)
+}
+
+/// As [`mesh`], with triangles inside that are no larger than `sizing` says: it gives the length of edges at a place.
+///
+/// It is asked on several threads, at places inside and a little beyond the boundary. The boundary stays as it is, so what is smaller than
+/// the boundary asks for grows from it as fast as it must.
+///
+/// # Errors
+/// [`GradedError`] when the parameters are none to work with, or a size is not a finite number above zero.
+pub fn mesh_sized(
+    domain: &Domain,
+    params: &GradedParams,
+    sizing: Option<Sizing<'_>>,
+    report: &mut (dyn FnMut(Progress) -> ControlFlow<()> + Send),
+) -> Result<GradedMesh, GradedError> {
     params.check()?;
     let sizes = boundary_sizes(domain);
     let places = domain.region().points().iter().copied();
-    let field = SizeField::new(places.zip(sizes.iter().copied()), params.scale);
+    let field = SizeField::new(places.zip(sizes.iter().copied()), params.scale, sizing);
     let report = Mutex::new(report);
     let start = |order: Order| start(domain, &sizes, &field, order, params, &mut told(&report));
     let (layers, gaps) = rayon::join(|| start(Order::LayersFirst), || start(Order::LargestFirst));
+    let (layers, gaps) = (layers?, gaps?);
     let mut mesh = if gaps.is_better_than(&layers) {
         gaps
     } else {
@@ -97,25 +114,19 @@ fn boundary_sizes(domain: &Domain) -> Vec<f64> {
 fn start(
     domain: &Domain,
     sizes: &[f64],
-    field: &SizeField,
+    field: &SizeField<'_>,
     order: Order,
     params: &GradedParams,
     report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
-) -> GradedMesh {
+) -> Result<GradedMesh, GradedError> {
     let Ok(mut meter) = Meter::start(report, "place nodes", 0) else {
-        return GradedMesh {
+        return Ok(GradedMesh {
             complex: Complex2::of(domain.region().clone()),
             stop: Stop::Cancelled,
-        };
+        });
     };
-    let placed = place(
-        domain.region(),
-        sizes,
-        field,
-        order,
-        params.nodes,
-        &mut meter,
-    );
+    let nodes = params.nodes;
+    let placed = place(domain.region(), sizes, field, order, nodes, &mut meter)?;
     let mut mesh = GradedMesh {
         complex: Complex2::of(placed.region),
         stop: placed.stop,
@@ -125,7 +136,7 @@ fn start(
     {
         mesh.stop = cancelled.into();
     }
-    mesh
+    Ok(mesh)
 }
 
 /// Sweeps of all nodes, for the mean.

@@ -24,5 +24,6 @@ mod search;
 mod size;
 mod smooth;
 
-pub use mesh::{GradedMesh, mesh};
+pub use mesh::{GradedMesh, mesh, mesh_sized};
 pub use params::{GradedError, GradedParams, Stop};
+pub use size::Sizing;

@@ -1,12 +1,13 @@
 //! What can be asked for, and how it ended.
 
 use delaunay_core::progress::Cancelled;
+use glam::DVec2;
 use thiserror::Error;
 
 /// How to mesh beyond the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GradedParams {
-    /// Edges inside over those that the boundary asks for; 0.88, above 0. Smaller values make more triangles.
+    /// Edges inside over those that the boundary asks for; 0.85, above 0. Smaller values make more triangles.
     pub scale: f64,
     /// Steps of the forces between neighbours; 100.
     pub relaxation: usize,
@@ -22,7 +23,7 @@ pub struct GradedParams {
 impl Default for GradedParams {
     fn default() -> Self {
         Self {
-            scale: 0.88,
+            scale: 0.85,
             relaxation: 100,
             sweeps: 60,
             trials: 0,
@@ -56,6 +57,14 @@ pub enum GradedError {
     Scale {
         /// As given.
         scale: f64,
+    },
+    /// The caller's size is no size.
+    #[error("the size at ({}, {}) is {size}, not a finite number above 0", .place.x, .place.y)]
+    Size {
+        /// Where.
+        place: DVec2,
+        /// As given.
+        size: f64,
     },
 }
 

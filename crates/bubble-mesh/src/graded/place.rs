@@ -20,7 +20,7 @@ use delaunay_core::progress::Meter;
 use delaunay_core::{Cavity, FaceId, HalfEdgeId, Subcomplex2, VertexId};
 use glam::DVec2;
 
-use super::params::Stop;
+use super::params::{GradedError, Stop};
 use super::size::SizeField;
 
 /// How much larger than the regular triangle one may be.
@@ -31,6 +31,9 @@ const CLOSEST_NODE: f64 = 0.65;
 
 /// The least distance between a new node and the boundary, over the size.
 const CLOSEST_EDGE: f64 = 0.4;
+
+/// By how much sizes fall from one layer to the next at most, where the caller's are smaller than those of the boundary.
+const STEEPEST_FALL: f64 = 0.3;
 
 /// In which order triangles are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,14 +52,17 @@ pub(super) struct Placed {
 }
 
 /// Places nodes in a region whose vertices have these sizes.
+///
+/// # Errors
+/// The first size of the caller's that is none.
 pub(super) fn place(
     region: &Subcomplex2,
     sizes: &[f64],
-    field: &SizeField,
+    field: &SizeField<'_>,
     order: Order,
     nodes: usize,
     meter: &mut Meter<'_>,
-) -> Placed {
+) -> Result<Placed, GradedError> {
     let mut front = Front {
         region: region.clone(),
         sizes: sizes.to_vec(),
@@ -69,12 +75,12 @@ pub(super) fn place(
     };
     let all: Vec<FaceId> = region.faces().collect();
     front.examine(&all);
-    let stop = front.advance(nodes, meter);
-    Placed {
+    let stop = front.advance(nodes, meter)?;
+    Ok(Placed {
         region: front.region,
         sizes: front.sizes,
         stop,
-    }
+    })
 }
 
 /// What is known of a face.
@@ -118,7 +124,7 @@ struct Front<'a> {
     sizes: Vec<f64>,
     /// By vertex, how many layers it is from the boundary.
     layers: Vec<u32>,
-    field: &'a SizeField,
+    field: &'a SizeField<'a>,
     order: Order,
     /// By face.
     faces: Vec<State>,
@@ -127,22 +133,22 @@ struct Front<'a> {
 }
 
 impl Front<'_> {
-    fn advance(&mut self, nodes: usize, meter: &mut Meter<'_>) -> Stop {
+    fn advance(&mut self, nodes: usize, meter: &mut Meter<'_>) -> Result<Stop, GradedError> {
         while let Some(face) = self.next() {
             let Some(edge) = self.finished_edge(face) else {
                 continue;
             };
             if self.sizes.len() >= nodes {
-                return Stop::OutOfNodes;
+                return Ok(Stop::OutOfNodes);
             }
-            if !self.place_before(face, edge) {
+            if !self.place_before(face, edge)? {
                 self.close(face);
             }
             if meter.advance().is_err() {
-                return Stop::Cancelled;
+                return Ok(Stop::Cancelled);
             }
         }
-        Stop::Done
+        Ok(Stop::Done)
     }
 
     /// The next triangle that is too large and there still.
@@ -177,10 +183,10 @@ impl Front<'_> {
     }
 
     /// Places a node before an edge of a triangle if there is room; tells whether it did.
-    fn place_before(&mut self, face: FaceId, edge: HalfEdgeId) -> bool {
-        let place = self.place(face, edge);
+    fn place_before(&mut self, face: FaceId, edge: HalfEdgeId) -> Result<bool, GradedError> {
+        let place = self.place(face, edge)?;
         let mut cavity = std::mem::take(&mut self.cavity);
-        let size = self.field.at(place);
+        let size = self.size_before(edge, place)?;
         let mesh = self.region.mesh();
         let ends = [mesh.origin(edge), mesh.target(edge)].map(|v| self.layers[v.index()]);
         let placed = check_point2(0, place).is_ok()
@@ -193,18 +199,18 @@ impl Front<'_> {
             self.examine(cavity.faces());
         }
         self.cavity = cavity;
-        placed
+        Ok(placed)
     }
 
     /// Where a node makes a triangle of the right size on an edge of a triangle, not beyond its circumcenter.
-    fn place(&self, face: FaceId, edge: HalfEdgeId) -> DVec2 {
+    fn place(&self, face: FaceId, edge: HalfEdgeId) -> Result<DVec2, GradedError> {
         let mesh = self.region.mesh();
         let [a, b] = self.region.segment(edge);
         let ends = [mesh.origin(edge), mesh.target(edge)].map(|v| self.sizes[v.index()]);
         let (middle, length) = (a.midpoint(b), a.distance(b));
         let inward = (b - a).perp() / length;
         let at_edge = 0.5 * (ends[0] + ends[1]);
-        let before = self.field.at(middle + 0.75_f64.sqrt() * at_edge * inward);
+        let before = self.size_before(edge, middle + 0.75_f64.sqrt() * at_edge * inward)?;
         let size = 0.5 * (at_edge + before);
         let height = (size * size - 0.25 * length * length)
             .max(0.25 * size * size)
@@ -215,7 +221,18 @@ impl Front<'_> {
         } else {
             height
         };
-        middle + height * inward
+        Ok(middle + height * inward)
+    }
+
+    /// The size at a place before an edge.
+    fn size_before(&self, edge: HalfEdgeId, place: DVec2) -> Result<f64, GradedError> {
+        let size = self.field.at(place)?;
+        if !self.field.is_sized() {
+            return Ok(size);
+        }
+        let mesh = self.region.mesh();
+        let [a, b] = [mesh.origin(edge), mesh.target(edge)].map(|v| self.sizes[v.index()]);
+        Ok(size.max((1.0 - STEEPEST_FALL) * a.min(b)))
     }
 
     /// Whether a place keeps its distance to the vertices and boundary edges round its cavity.
@@ -287,9 +304,17 @@ impl Front<'_> {
 
     fn excess(&self, face: FaceId) -> f64 {
         let corners: [VertexId; 3] = self.region.mesh().face_vertices(face);
-        let sizes: f64 = corners.iter().map(|v| self.sizes[v.index()]).sum();
+        let sizes = corners.map(|v| self.sizes[v.index()]);
+        let mut size = sizes.iter().sum::<f64>() / 3.0;
         let triangle = self.region.triangle(face);
-        let radius = circumcenter(triangle).distance(triangle[0]);
-        radius * 3.0_f64.sqrt() * 3.0 / sizes
+        let center = circumcenter(triangle);
+        if self.field.is_sized() {
+            // What is fine may lie between coarse nodes. A size that is none is found out when a node is placed.
+            let inside = triangle.into_iter().sum::<DVec2>() / 3.0;
+            let least = sizes.into_iter().fold(f64::INFINITY, f64::min);
+            let inside = self.field.at(inside).unwrap_or(0.0);
+            size = size.min(inside.max((1.0 - STEEPEST_FALL) * least));
+        }
+        center.distance(triangle[0]) * 3.0_f64.sqrt() / size
     }
 }

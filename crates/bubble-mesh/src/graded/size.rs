@@ -6,18 +6,24 @@
 
 use glam::DVec2;
 
+use super::params::GradedError;
+
 /// A box of nodes counts as one when it is this many times as far away as it is wide.
 const FAR: f64 = 2.5;
 
 /// Boxes with so many nodes are not divided.
 const LEAF: usize = 8;
 
-/// Sizes in the plane, from those of nodes.
-#[derive(Clone, Debug)]
-pub(super) struct SizeField {
+/// A size for every place, of the caller's.
+pub type Sizing<'a> = &'a (dyn Fn(DVec2) -> f64 + Sync);
+
+/// Sizes in the plane: from those of nodes, and at most the caller's.
+#[derive(Clone)]
+pub(super) struct SizeField<'a> {
     nodes: Vec<Node>,
     boxes: Vec<Group>,
     scale: f64,
+    sizing: Option<Sizing<'a>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -41,20 +47,46 @@ struct Group {
     squares: f64,
 }
 
-impl SizeField {
+impl<'a> SizeField<'a> {
     /// The field of nodes with these places and sizes, all above zero, at least one; sizes are multiplied by `scale`.
-    pub(super) fn new(nodes: impl Iterator<Item = (DVec2, f64)>, scale: f64) -> Self {
+    pub(super) fn new(
+        nodes: impl Iterator<Item = (DVec2, f64)>,
+        scale: f64,
+        sizing: Option<Sizing<'a>>,
+    ) -> Self {
         let mut field = Self {
             nodes: nodes.map(|(place, size)| Node { place, size }).collect(),
             boxes: Vec::new(),
             scale,
+            sizing,
         };
         field.divide(0, field.nodes.len());
         field
     }
 
     /// The size at a place.
-    pub(super) fn at(&self, place: DVec2) -> f64 {
+    ///
+    /// # Errors
+    /// The caller's size when it is not a finite number above zero.
+    pub(super) fn at(&self, place: DVec2) -> Result<f64, GradedError> {
+        let of_boundary = self.of_boundary(place);
+        let Some(sizing) = self.sizing else {
+            return Ok(of_boundary);
+        };
+        let size = sizing(place);
+        match size > 0.0 && size < f64::INFINITY {
+            true => Ok(size.min(of_boundary)),
+            false => Err(GradedError::Size { place, size }),
+        }
+    }
+
+    /// Whether the caller has a say.
+    pub(super) fn is_sized(&self) -> bool {
+        self.sizing.is_some()
+    }
+
+    /// What the nodes say.
+    fn of_boundary(&self, place: DVec2) -> f64 {
         let (mut sizes, mut weights) = (0.0, 0.0);
         let mut next = 0;
         while let Some(group) = self.boxes.get(next) {
@@ -142,10 +174,10 @@ mod tests {
     #[test]
     fn far_nodes_together_are_as_good_as_one_by_one() {
         let nodes = ring(1000);
-        let field = SizeField::new(nodes.iter().copied(), 1.0);
+        let field = SizeField::new(nodes.iter().copied(), 1.0, None);
         for i in 0..200 {
             let at = DVec2::from_angle(f64::from(i)) * (f64::from(i) / 201.0);
-            let (found, expected) = (field.at(at), plainly(&nodes, at));
+            let (found, expected) = (field.of_boundary(at), plainly(&nodes, at));
             assert!(
                 (found / expected - 1.0).abs() < 0.01,
                 "{at}: {found} {expected}"
@@ -156,11 +188,11 @@ mod tests {
     #[test]
     fn nodes_have_their_own_sizes_and_all_are_scaled() {
         let nodes = ring(100);
-        let field = SizeField::new(nodes.iter().copied(), 0.5);
+        let field = SizeField::new(nodes.iter().copied(), 0.5, None);
         assert!(
             nodes
                 .iter()
-                .all(|&(place, size)| field.at(place) == 0.5 * size)
+                .all(|&(place, size)| field.of_boundary(place) == 0.5 * size)
         );
     }
 }
