@@ -1,7 +1,7 @@
 //! From the plain data of files to the types of the methods, and back.
 
 use delaunay_core::{
-    Complex3, FaceId, Subcomplex2, Subcomplex3, TetId, TetMesh, TriMesh, VertexId,
+    Complex2, Complex3, FaceId, Subcomplex2, Subcomplex3, TetId, TetMesh, TriMesh, VertexId,
 };
 use glam::{DVec2, DVec3};
 use medial_blocking::{Block, BlockGrid, BlockMesh, Circle, Domain, DomainError, WallName};
@@ -153,16 +153,27 @@ fn mesh_without_gaps(places: &[DVec3], mesh: &TetMesh) -> (Mesh, Vec<TetId>) {
 /// cells are in canonical order, as of [`triangle_mesh`]. O(n log n).
 #[must_use]
 pub fn region_mesh(region: &Subcomplex2) -> (Mesh, Vec<FaceId>) {
-    let mut numbers = vec![0; region.points().len()];
-    let mut points = Vec::with_capacity(region.vertex_count());
-    for v in (0..region.points().len()).map(VertexId::new) {
-        if region.mesh().outgoing(v).is_some() {
+    plain_triangles(region.mesh(), region.points())
+}
+
+/// As [`region_mesh`], of triangles that need not be Delaunay.
+#[must_use]
+pub fn triangles_mesh(complex: &Complex2) -> (Mesh, Vec<FaceId>) {
+    plain_triangles(complex.mesh(), complex.points())
+}
+
+/// The real triangles of a mesh whose vertices have these places.
+fn plain_triangles(mesh: &TriMesh, places: &[DVec2]) -> (Mesh, Vec<FaceId>) {
+    let mut numbers = vec![0; places.len()];
+    let mut points = Vec::with_capacity(places.len());
+    for (v, &place) in (0..).map(VertexId::new).zip(places) {
+        if mesh.outgoing(v).is_some() {
             numbers[v.index()] = points.len() as u32;
-            points.push(flat(region.point(v)));
+            points.push(flat(place));
         }
     }
-    let corners = |f| region.mesh().face_vertices(f).map(|v| numbers[v.index()]);
-    let faces = region.faces();
+    let corners = |f| mesh.face_vertices(f).map(|v| numbers[v.index()]);
+    let faces = mesh.faces().filter(|&f| !mesh.is_ghost_face(f));
     let mut triangles: Vec<_> = faces.map(|f| (from_smallest(corners(f)), f)).collect();
     triangles.par_sort_unstable();
     let (triangles, ids) = triangles.into_iter().unzip();

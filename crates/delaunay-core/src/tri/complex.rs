@@ -354,7 +354,12 @@ impl Complex2 {
     /// Flips edges inside whose circles are not empty, ties broken, until there are none: all triangles are Delaunay then, as far as
     /// can be seen within the boundary. Takes linear time and that of the flips.
     pub fn restore_delaunay(&mut self) {
-        let mut suspects: Vec<HalfEdgeId> = self.mesh.half_edges().collect();
+        let mut suspects: Vec<HalfEdgeId> = Vec::new();
+        for h in self.mesh.half_edges() {
+            if h < self.mesh.twin(h) && self.is_in_circle(h) {
+                suspects.push(h);
+            }
+        }
         // Each flip lowers the surface that the triangles have over the paraboloid, so no edge comes back.
         while let Some(h) = suspects.pop() {
             if self.is_in_circle(h) {

@@ -2,8 +2,10 @@
 //! usage.
 
 mod block;
+mod bubble;
 mod delaunay;
 mod failure;
+mod outline;
 mod output;
 mod progress;
 mod quality;
@@ -37,6 +39,11 @@ enum Command {
     Delaunay(delaunay::DelaunayArgs),
     /// Quality of the cells of a mesh file
     Quality(quality::QualityArgs),
+    /// Graded triangles within a planar outline, as large as its edges ask for and none of them poor
+    ///
+    /// The outline stays as it is. By default nodes are placed layer by layer and the shapes of the triangles are optimized; with
+    /// --paper they are placed at centroids and pushed apart by bubbles.
+    Bubble(bubble::BubbleArgs),
     /// Better tetrahedra for a solid, by points inserted within a boundary that stays as it is
     ///
     /// Points are inserted until no tetrahedron has a circumradius of more than R times its shortest edge, or no point may be
@@ -65,6 +72,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Block(args) => args.common.on_threads(|| block::run(&args)),
         Command::Delaunay(args) => args.common.on_threads(|| delaunay::run(&args)),
         Command::Quality(args) => args.common.on_threads(|| quality::run(&args)),
+        Command::Bubble(args) => args.common.on_threads(|| bubble::run(&args)),
         Command::Refine(args) => {
             let method = args.method().unwrap_or_else(|usage| usage.exit());
             args.common.on_threads(|| refine::run(&args, method))

@@ -8,6 +8,7 @@ use vide::mesh_io::WriteError;
 use vide::quality::Measured;
 use vide::sink_refine;
 
+use super::bubble::Bubbles;
 use super::refine::{Improvement, Refinement};
 
 /// The report of any subcommand; what a command does not make is left out.
@@ -47,6 +48,8 @@ pub(crate) struct Report {
     pub(crate) refinement: Option<Refinement>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) improvement: Option<Improvement>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) bubbles: Option<Bubbles>,
     pub(crate) quality: BTreeMap<String, Spread>,
     pub(crate) seconds: BTreeMap<String, f64>,
     pub(crate) stop: Stop,

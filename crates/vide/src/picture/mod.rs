@@ -16,9 +16,11 @@
 
 mod blocks;
 mod quality;
+mod triangles;
 
 pub use blocks::{block_panel, draw_mesh_lines, draw_scheme, draw_walls, keyed, window_of};
 pub use quality::{CellQuality, quality_panel};
+pub use triangles::triangle_picture;
 
 use medial_blocking::BlockMesh;
 use mesh_io::svg::Picture;

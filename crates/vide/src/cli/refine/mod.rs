@@ -18,6 +18,7 @@ use vide::sink_refine::{Method, Params};
 
 use super::Common;
 use super::failure::Failure;
+use super::outline::{is_flat, outline_of};
 use super::output::{check_formats, check_places, write_together};
 use super::progress::Watch;
 use super::report::Report;
@@ -129,8 +130,8 @@ fn read(input: &Path) -> Result<Given, ReadError> {
         return read_planar_graph(input).map(Given::Outline);
     }
     let mesh = read_mesh(&cells_of(input))?;
-    Ok(match plane::holds(&mesh) {
-        true => Given::Outline(plane::outline_of(&mesh)),
+    Ok(match is_flat(&mesh) {
+        true => Given::Outline(outline_of(&mesh)),
         false => Given::Mesh(mesh),
     })
 }

@@ -1,0 +1,225 @@
+//! `vide bubble`: an outline in, a graded mesh of triangles out.
+
+mod report;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use vide::bubble_mesh::graded::{GradedParams, Stop, mesh_sized};
+use vide::bubble_mesh::{Domain, paper};
+use vide::convert::{region_mesh, triangles_mesh};
+use vide::delaunay_core::Crossings;
+use vide::glam::DVec2;
+use vide::mesh_io::{Format, Mesh, PlanarGraph, read_mesh, read_planar_graph};
+use vide::picture::triangle_picture;
+use vide::plane::GivenRegion;
+use vide::quality::measure_mesh;
+
+use super::Common;
+use super::failure::Failure;
+use super::outline::{is_flat, outline_of};
+use super::output::{check_formats, check_places, write_together};
+use super::progress::Watch;
+use super::report::Report;
+
+pub(crate) use report::Bubbles;
+
+#[derive(Args)]
+pub(crate) struct BubbleArgs {
+    /// A planar outline: .poly, with holes, regions side by side and loose segments as it has them; or triangles at z = 0, whose
+    /// outline is taken
+    #[arg(value_name = "OUTLINE")]
+    input: PathBuf,
+    /// Triangles to write, by extension: .vtu .msh .off .ele .node; may be repeated
+    #[arg(short, long, value_name = "OUT", required = true)]
+    output: Vec<PathBuf>,
+    /// The method of the paper: nodes at centroids, then forces between bubbles
+    #[arg(long, conflicts_with_all = ["size", "scale", "trials"])]
+    paper: bool,
+    /// How often bubbles move, with --paper
+    #[arg(long, value_name = "N", requires = "paper")]
+    iterations: Option<usize>,
+    /// Edges inside are at most so long; otherwise the edges of the outline alone say how long
+    #[arg(long, value_name = "H", value_parser = positive)]
+    size: Option<f64>,
+    /// Edges inside over those that the outline asks for; smaller values make more triangles
+    #[arg(long, value_name = "S", value_parser = positive, default_value_t = GradedParams::default().scale)]
+    scale: f64,
+    /// So many changes of connectivity are tried, the worst triangles first; a thousand for a thousand nodes make good meshes very
+    /// good
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    trials: usize,
+    /// What to do with segments that cross
+    #[arg(long, value_enum, default_value_t = AtCrossings::Refuse)]
+    crossings: AtCrossings,
+    /// Most nodes, those of the outline included
+    #[arg(long, value_name = "N", default_value_t = 10_000_000)]
+    max_nodes: usize,
+    /// Picture to write: the triangles coloured by their radius ratio
+    #[arg(long, value_name = "FILE.svg")]
+    svg: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) common: Common,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum AtCrossings {
+    /// They are an error
+    Refuse,
+    /// They are divided where they meet
+    Divide,
+}
+
+const FORMATS: [Format; 5] = [
+    Format::Vtu,
+    Format::Msh,
+    Format::Off,
+    Format::TriangleNode,
+    Format::TriangleEle,
+];
+
+/// More divisions of segments that cross are an error.
+const MOST_DIVISIONS: usize = 1_000_000;
+
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(value) if value > 0.0 && value < f64::INFINITY => Ok(value),
+        _ => Err("not a finite number above zero".to_owned()),
+    }
+}
+
+/// Meshes what the arguments name.
+pub(crate) fn run(args: &BubbleArgs) -> Result<(), Failure> {
+    check_formats(&args.output, &FORMATS, "triangles")?;
+    let others: Vec<&PathBuf> = args.svg.iter().chain(&args.common.report).collect();
+    check_places(&args.input, &args.output, others)?;
+    let mut watch = Watch::new(args.common.quiet);
+    let outline = watch.stage("read", |_| read(&args.input))?;
+    let domain = watch.stage("triangulate", |watch| domain(args, &outline, watch))?;
+    let (mesh, stop) = match args.paper {
+        true => by_the_paper(args, &domain, &mut watch)?,
+        false => graded(args, &domain, &mut watch)?,
+    };
+    let mut report = Report {
+        dimension: Some(2),
+        vertices: mesh.points.len(),
+        elements: mesh.cells.len(),
+        bubbles: Some(Bubbles::of(args.paper, &domain, &mesh)),
+        stop,
+        ..Report::default()
+    };
+    watch.stage("measure", |_| report.measure(&measure_mesh(&mesh)));
+    let picture = args.svg.as_ref().map(|path| picture(args, path, &mesh));
+    let picture = picture.transpose()?;
+    let said = format!("{}{}", report::summary(&report), report.quality_table());
+    write_together(watch, report, args.common.report.as_deref(), |outputs| {
+        let mut paths = args.output.iter();
+        paths.try_for_each(|path| outputs.mesh(path, &mesh))?;
+        picture.map_or(Ok(()), |(path, svg)| {
+            outputs.file(path, |out| Ok(out.write_all(svg.as_bytes())?))
+        })
+    })?;
+    args.common.say(&said);
+    Ok(())
+}
+
+fn read(input: &Path) -> Result<PlanarGraph, Failure> {
+    if Format::from_path(input) == Some(Format::TrianglePoly) {
+        return Ok(read_planar_graph(input)?);
+    }
+    let mesh = read_mesh(input)?;
+    match is_flat(&mesh) {
+        true => Ok(outline_of(&mesh)),
+        false => Err(Failure::input(
+            input,
+            "there is no outline in the plane z = 0",
+        )),
+    }
+}
+
+fn domain(args: &BubbleArgs, outline: &PlanarGraph, watch: &mut Watch) -> Result<Domain, Failure> {
+    let crossings = match args.crossings {
+        AtCrossings::Refuse => Crossings::Refuse,
+        AtCrossings::Divide => Crossings::Divide {
+            at_most: MOST_DIVISIONS,
+        },
+    };
+    let mut report = |progress| watch.report(progress);
+    let region = GivenRegion::of(outline, crossings, Common::build_options(), &mut report);
+    let region = region.map_err(|error| Failure::input(&args.input, error))?;
+    Domain::of(region.subcomplex()).map_err(|error| Failure::input(&args.input, error))
+}
+
+fn graded(
+    args: &BubbleArgs,
+    domain: &Domain,
+    watch: &mut Watch,
+) -> Result<(Mesh, super::report::Stop), Failure> {
+    let params = GradedParams {
+        scale: args.scale,
+        trials: args.trials,
+        nodes: args.max_nodes,
+        ..GradedParams::default()
+    };
+    let size = args.size.map(|size| move |_: DVec2| size);
+    let sizing = size.as_ref().map(|size| size as _);
+    let meshed = watch.stage("mesh", |watch| {
+        mesh_sized(domain, &params, sizing, &mut |progress| {
+            watch.report(progress)
+        })
+    });
+    let meshed = meshed.map_err(|error| Failure::input(&args.input, error))?;
+    Ok((triangles_mesh(&meshed.complex).0, stop(meshed.stop)))
+}
+
+fn stop(stop: Stop) -> super::report::Stop {
+    match stop {
+        Stop::Done => super::report::Stop::Finished,
+        Stop::OutOfNodes => super::report::Stop::OutOfVertices,
+        Stop::Cancelled => super::report::Stop::Cancelled,
+    }
+}
+
+fn by_the_paper(
+    args: &BubbleArgs,
+    domain: &Domain,
+    watch: &mut Watch,
+) -> Result<(Mesh, super::report::Stop), Failure> {
+    let usual = paper::Params::paper();
+    let params = paper::Params {
+        nodes: args.max_nodes,
+        iterations: args.iterations.unwrap_or(usual.iterations),
+        ..usual
+    };
+    let generated = watch.stage("generate", |watch| {
+        paper::generate(domain, &params, &mut |progress| watch.report(progress))
+    });
+    let optimized = watch.stage("optimize", |watch| {
+        paper::optimize(&generated, &params, &mut |progress| watch.report(progress))
+    });
+    let optimized = optimized.map_err(|error| Failure::input(&args.input, error))?;
+    let stop = match generated.stop() {
+        paper::Stop::Filled => super::report::Stop::Finished,
+        paper::Stop::OutOfNodes => super::report::Stop::OutOfVertices,
+        paper::Stop::OutOfRoom => super::report::Stop::NothingToInsert,
+        paper::Stop::Cancelled => super::report::Stop::Cancelled,
+    };
+    Ok((region_mesh(&optimized.region).0, stop))
+}
+
+fn picture<'a>(
+    args: &BubbleArgs,
+    path: &'a Path,
+    mesh: &Mesh,
+) -> Result<(&'a Path, String), Failure> {
+    let title = args
+        .input
+        .file_name()
+        .map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let svg = triangle_picture(mesh, &title).to_svg();
+    Ok((
+        path,
+        svg.map_err(|error| Failure::input(&args.input, error))?,
+    ))
+}
