@@ -106,7 +106,6 @@ impl Complex2 {
     }
 
     /// The vertices inside, which may move, by id.
-    #[must_use]
     pub fn inner_vertices(&self) -> impl Iterator<Item = VertexId> + Clone + '_ {
         let slots = (1..self.coords.len()).filter(|&slot| !self.fixed[slot]);
         slots.map(VertexId::from_slot)

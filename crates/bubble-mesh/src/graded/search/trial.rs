@@ -1,6 +1,6 @@
 //! A change made on a piece, smoothed, and weighed.
 
-use delaunay_core::{Complex2, FaceId, Piece2, VertexId};
+use delaunay_core::{Complex2, FaceId, HalfEdgeId, Piece2, VertexId};
 use glam::DVec2;
 use std::collections::BTreeSet;
 
@@ -139,12 +139,12 @@ impl Patch {
             .clone()
             .map(DVec2::length)
             .fold(f64::INFINITY, f64::min);
-        let toward: DVec2 = arms.map(|arm| arm.normalize_or_zero()).sum();
+        let toward: DVec2 = arms.map(DVec2::normalize_or_zero).sum();
         let place = here + SPLIT_SHARE * shortest * toward.normalize_or_zero();
         let faces = ring[..end]
             .iter()
             .filter_map(|&v| self.complex.mesh().find_half_edge(node, v));
-        let faces: Vec<FaceId> = faces.map(|h| h.face()).collect();
+        let faces: Vec<FaceId> = faces.map(HalfEdgeId::face).collect();
         let new = faces
             .into_iter()
             .find_map(|f| self.complex.insert(place, f))?;
