@@ -236,6 +236,28 @@ fn a_budget_and_a_report_stop_the_work() {
     }
 }
 
+/// Rounding makes triangles of such an edge low again, and points for them would fill the region as densely.
+#[test]
+fn two_points_very_near_to_each_other_do_not_need_many_more() {
+    let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
+    for apart in [1e-8, 1e-11, 1e-14] {
+        let pair = [0.0, apart].map(|y| DVec2::new(0.6, 0.7 + y));
+        let points: Vec<DVec2> = corners.into_iter().chain(pair).collect();
+        let given = Subcomplex2::of(&Delaunay2::build(&points).unwrap(), |_| true);
+        for method in economical().into_iter().chain(papers()) {
+            let params = Params {
+                ratio: 1.0,
+                method,
+                max_new_vertices: 5000,
+                ..Params::default()
+            };
+            let outcome = refine2(given.clone(), &params, &mut silent).unwrap();
+            check_outcome(&given, &outcome).unwrap();
+            assert_ne!(outcome.stop, Stop::OutOfVertices, "{method:?} {apart}");
+        }
+    }
+}
+
 #[test]
 fn nothing_is_refined_to_nothing() {
     let delaunay = Delaunay2::build(&[DVec2::ZERO, DVec2::X, DVec2::Y]).unwrap();

@@ -310,6 +310,21 @@ mod plane {
     }
 
     #[test]
+    fn a_size_that_vanishes_at_a_place_inside_needs_few_points_to_the_last_bit() {
+        let region = square(4);
+        let field = |p: DVec2| p.distance(DVec2::new(0.37, 0.41)).max(f64::MIN_POSITIVE);
+        for method in methods() {
+            let params = Params {
+                max_new_vertices: 2000,
+                ..params(1.5, method)
+            };
+            let outcome = refined(&region, &params, &field);
+            assert_eq!(outcome.region.check(), Ok(()));
+            assert_eq!(outcome.stop, Stop::NothingToInsert, "{method:?}");
+        }
+    }
+
+    #[test]
     fn threads_do_not_change_a_mesh_with_sizes() {
         let region = square(40);
         for candidate in [Candidate::Sink, Candidate::Circumcenter] {

@@ -55,14 +55,24 @@ impl OffCenters {
 
     /// The off-center at `share` of the height at which it makes with the shortest edge a triangle whose ratio r/l is
     /// `bound`, or less if that is too large; the circumcenter where that is nearer.
+    ///
+    /// Of that height it stays below by the rounding of coordinates. Else short edges far from the origin would call for points
+    /// all over the region, since rounding makes the triangle of one point in two of low quality again.
     pub(super) fn at(&self, share: f64, bound: f64) -> DVec2 {
         let bound = bound.min((self.largest_radius / self.shortest).max(REGULAR));
-        let height = share * self.shortest * (bound + (bound * bound - 0.25).sqrt());
+        let height = |share| share * self.shortest * (bound + (bound * bound - 0.25).sqrt());
+        let below_whole = (height(1.0) - self.rounding()).max(0.0);
+        let height = height(share).min(below_whole);
         let way = self.circumcenter - self.middle;
         match way.length() {
             length if length <= height => self.circumcenter,
             length => self.middle + way * (height / length),
         }
+    }
+
+    /// How far rounding may move an off-center, with some room.
+    fn rounding(&self) -> f64 {
+        4.0 * f64::EPSILON * self.middle.abs().max_element()
     }
 }
 
@@ -97,8 +107,19 @@ mod tests {
     }
 
     #[test]
+    fn far_from_the_origin_rounding_makes_no_triangle_one_of_low_quality() {
+        for turn in (0..100).map(f64::from) {
+            let place = |p: DVec2| DVec2::new(4e8, 5e8) + DVec2::from_angle(turn).rotate(p) * 1e-3;
+            let [a, b, c] = NEEDLE.map(place);
+            let off = OffCenters::of([a, b, c], f64::INFINITY).at(1.0 - 1e-9, 1.0);
+            let ratio = radius_edge_ratio([a, b, off]);
+            assert!(ratio <= 1.0 && ratio > 0.99, "{ratio}");
+        }
+    }
+
+    #[test]
     fn no_off_center_is_beyond_the_circumcenter() {
         let off = OffCenters::of(NEEDLE, f64::INFINITY);
-        assert_eq!(off.at(100.0, 2.0), circumcenter(NEEDLE));
+        assert_eq!(off.at(1.0, 100.0), circumcenter(NEEDLE));
     }
 }
