@@ -290,6 +290,8 @@ mod plane {
                 assert_eq!(outcome.region.check(), Ok(()));
                 assert_eq!(outcome.stop, Stop::OutOfVertices, "{h} {method:?}");
                 assert_eq!(outcome.region.vertex_count(), 16 + 300);
+                let in_rounds: usize = outcome.rounds.iter().map(|round| round.inserted).sum();
+                assert_eq!(in_rounds, 300, "{method:?}");
                 assert!(!outcome.low.is_empty());
             }
         }
@@ -615,6 +617,8 @@ mod space {
                     solid.vertex_count() + 60,
                     "{method:?}"
                 );
+                let in_rounds: usize = outcome.rounds.iter().map(|round| round.inserted).sum();
+                assert_eq!(in_rounds, 60, "{method:?}");
                 assert!(!outcome.low.is_empty());
             }
         }

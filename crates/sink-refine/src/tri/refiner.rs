@@ -244,13 +244,25 @@ impl<'a> Refiner<'a> {
     ) -> Result<(), Stop> {
         loop {
             self.begin_round();
-            let inserted = self.pass(&mut insert_for)?;
-            self.round().inserted = inserted;
-            if inserted == 0 {
+            if self.in_round(|refiner| refiner.pass(&mut insert_for))? == 0 {
                 return Ok(());
             }
             self.resume();
         }
+    }
+
+    /// Lets `insert` insert the points of the round begun last, and counts them, also when it ends early.
+    ///
+    /// # Errors
+    /// That of `insert`.
+    pub(crate) fn in_round<T>(
+        &mut self,
+        insert: impl FnOnce(&mut Self) -> Result<T, Stop>,
+    ) -> Result<T, Stop> {
+        let before = self.counters.inserted;
+        let ended = insert(self);
+        self.round().inserted = self.counters.inserted - before;
+        ended
     }
 
     /// Lets `insert_for` have each triangle that is listed; tells how many points were inserted.

@@ -27,19 +27,22 @@ pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop
         refiner.round().candidates = sites.len();
         sites.retain(|site| !candidates.is_rejected(site));
         let block = orthogonal_subset(refiner, &mut candidates, &sites);
-        let round = refiner.round();
-        round.passed = block.len();
-        round.inserted = block.len();
+        refiner.round().passed = block.len();
         if block.is_empty() {
             return Ok(());
         }
-        for Sphere { site, center, .. } in block {
-            // Rounding of a center, or a tie, may let a neighbour in the block spoil it.
-            if site.is_there(&refiner.records) && refiner.propose(center, site.tet, 0.0).is_ok() {
-                refiner.insert_proposed()?;
-            }
+        refiner.in_round(|refiner| insert_all(refiner, block))?;
+    }
+}
+
+fn insert_all(refiner: &mut Refiner<'_>, block: Vec<Sphere>) -> Result<(), Stop> {
+    for Sphere { site, center, .. } in block {
+        // Rounding of a center, or a tie, may let a neighbour in the block spoil it.
+        if site.is_there(&refiner.records) && refiner.propose(center, site.tet, 0.0).is_ok() {
+            refiner.insert_proposed()?;
         }
     }
+    Ok(())
 }
 
 /// A maximal subset of the candidates that pass the boundary test with spheres that are mutually orthogonal or further

@@ -37,11 +37,11 @@ pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop
         refiner.round().candidates = sites.len();
         sites.retain(|site| !candidates.is_rejected(site));
         let chosen = independent_subset(refiner, &mut candidates, &sites);
-        refiner.round().inserted = chosen.len();
         if chosen.is_empty() {
             return Ok(());
         }
-        refiner.insert_all(chosen.into_iter().map(Tested::into_proposal))?;
+        let proposals = chosen.into_iter().map(Tested::into_proposal);
+        refiner.in_round(|refiner| refiner.insert_all(proposals))?;
     }
 }
 

@@ -28,17 +28,21 @@ pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop
         refiner.round().candidates = sites.len();
         sites.retain(|site| !candidates.is_rejected(site));
         let block = orthogonal_subset(refiner, &mut candidates, &sites);
-        refiner.round().inserted = block.len();
         if block.is_empty() {
             return Ok(());
         }
-        for Circle { site, center, .. } in block {
-            // Rounding of a center, or a tie, may let a neighbour in the block spoil it.
-            if site.is_there(&refiner.records) && refiner.propose(center, site.face, 0.0).is_ok() {
-                refiner.insert_proposed()?;
-            }
+        refiner.in_round(|refiner| insert_all(refiner, block))?;
+    }
+}
+
+fn insert_all(refiner: &mut Refiner<'_>, block: Vec<Circle>) -> Result<(), Stop> {
+    for Circle { site, center, .. } in block {
+        // Rounding of a center, or a tie, may let a neighbour in the block spoil it.
+        if site.is_there(&refiner.records) && refiner.propose(center, site.face, 0.0).is_ok() {
+            refiner.insert_proposed()?;
         }
     }
+    Ok(())
 }
 
 /// A maximal subset of the candidates that pass the boundary test with circles that are mutually orthogonal or further

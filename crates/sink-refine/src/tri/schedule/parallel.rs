@@ -34,17 +34,21 @@ pub(super) fn run(refiner: &mut Refiner<'_>, kind: Candidate) -> Result<(), Stop
         refiner.round().candidates = sites.len();
         sites.retain(|site| !candidates.is_rejected(site));
         let chosen = independent_subset(refiner, &mut candidates, &sites);
-        refiner.round().inserted = chosen.len();
         if chosen.is_empty() {
             return Ok(());
         }
-        let mut proposal = Proposal::default();
-        for tested in chosen {
-            proposal.point = tested.point;
-            proposal.prestar.assign(&tested.prestar, &tested.rim);
-            refiner.insert(&mut proposal)?;
-        }
+        refiner.in_round(|refiner| insert_all(refiner, &chosen))?;
     }
+}
+
+fn insert_all(refiner: &mut Refiner<'_>, chosen: &[Tested]) -> Result<(), Stop> {
+    let mut proposal = Proposal::default();
+    for tested in chosen {
+        proposal.point = tested.point;
+        proposal.prestar.assign(&tested.prestar, &tested.rim);
+        refiner.insert(&mut proposal)?;
+    }
+    Ok(())
 }
 
 /// A maximal subset of the candidates that pass the boundary test with disjoint closed prestars, earlier ones first.
