@@ -47,6 +47,7 @@ mod plane {
         refine2_sized,
     };
     use std::collections::BTreeSet;
+    use std::ops::ControlFlow;
 
     type Field<'a> = &'a (dyn Fn(DVec2) -> f64 + Sync);
 
@@ -297,6 +298,27 @@ mod plane {
         }
     }
 
+    #[test]
+    fn a_search_for_vertices_that_are_not_needed_can_be_cancelled() {
+        let region = square(60);
+        let reports = |coarsening| {
+            let sizing = Sizing {
+                field: Some(&|_| 0.018),
+                regions: &[],
+            };
+            let params = params(1.0, Method::Economical(coarsening));
+            let mut count = 0;
+            let mut report = |_| {
+                count += 1;
+                ControlFlow::Continue(())
+            };
+            let outcome = refine2_sized(region.clone(), &params, &sizing, &mut report).unwrap();
+            assert!(outcome.counters.inserted > 4096 && outcome.counters.removed < 50);
+            count
+        };
+        assert!(reports(Coarsening::Removal) > reports(Coarsening::None));
+    }
+
     /// So far off that there are eight doubles to a side.
     #[test]
     fn a_size_below_the_last_bit_of_the_coordinates_ends_where_there_is_no_place_left() {
@@ -388,6 +410,7 @@ mod space {
         refine3_sized,
     };
     use std::collections::BTreeSet;
+    use std::ops::ControlFlow;
 
     type Field<'a> = &'a (dyn Fn(DVec3) -> f64 + Sync);
 
@@ -622,6 +645,27 @@ mod space {
                 assert!(!outcome.low.is_empty());
             }
         }
+    }
+
+    #[test]
+    fn a_search_for_vertices_that_are_not_needed_can_be_cancelled() {
+        let solid = cube(16);
+        let reports = |coarsening| {
+            let sizing = Sizing {
+                field: Some(&|_| 0.075),
+                regions: &[],
+            };
+            let params = params(2.0, Method::Economical(coarsening));
+            let mut count = 0;
+            let mut report = |_| {
+                count += 1;
+                ControlFlow::Continue(())
+            };
+            let outcome = refine3_sized(solid.clone(), &params, &sizing, &mut report).unwrap();
+            assert!(outcome.counters.inserted > 4096 && outcome.counters.removed < 200);
+            count
+        };
+        assert!(reports(Coarsening::Removal) > reports(Coarsening::None));
     }
 
     /// So far off that there are four doubles to a side.

@@ -189,6 +189,14 @@ impl<'a> Refiner<'a> {
         Ok(refilled)
     }
 
+    /// Reports that work goes on, though nothing has changed.
+    ///
+    /// # Errors
+    /// When cancelled.
+    pub(crate) fn pause(&mut self) -> Result<(), Stop> {
+        Ok(self.meter.advance()?)
+    }
+
     /// Begins to work in another order.
     pub(crate) fn reorder(&mut self, urgency: Urgency) {
         self.urgency = urgency;

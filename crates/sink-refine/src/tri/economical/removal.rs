@@ -14,6 +14,7 @@ pub(super) fn run(refiner: &mut Refiner<'_>, given: usize) -> Result<(), Stop> {
     let all = (given..refiner.region.points().len()).map(VertexId::new);
     let mut waiting: BTreeSet<VertexId> = all.collect();
     while let Some(vertex) = waiting.pop_last() {
+        refiner.pause()?;
         let Some(patch) = refiner.region.patch(vertex) else {
             continue;
         };
