@@ -26,7 +26,7 @@ pub enum RefineError {
         /// As given.
         size: f64,
     },
-    /// The seed of a region is in no element.
+    /// The seed of a region is in no element, or its coordinates are none that a point of a mesh may have.
     #[error("the point of region {region} is outside of the mesh")]
     RegionOutside {
         /// Which of the limits, counted from 0.

@@ -56,7 +56,8 @@ pub enum Boundary {
     /// After the method has done what it can, segments and triangles of the boundary that are in the way are divided.
     ///
     /// Then nothing of low quality is left, unless parts of the boundary meet at small angles or come very near to each other:
-    /// no vertex is put nearer to others than an eighth of the shortest boundary edge given there.
+    /// no vertex is put nearer to others than an eighth of the shortest boundary edge given there, or of the circumradius that a
+    /// smaller size allows.
     ///
     /// With ratios from 2 on in space, √2 in the plane, few vertices are enough (Ruppert 1995, Shewchuk 1998). With smaller
     /// ones divided edges may call for ever shorter ones, down to that eighth all over the domain: give a budget of vertices

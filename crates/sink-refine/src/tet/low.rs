@@ -29,10 +29,11 @@ pub enum Reason3 {
     /// Its sinks and its circumcenter are inside diametral spheres of boundary facets, this one among them. When
     /// they might be divided: these have been as far as they may be.
     Encroaches(FacetId),
-    /// Its flow leaves through the boundary, and its circumcenter is outside.
+    /// Its flow leaves through the boundary, and its circumcenter is outside; or they fall on a vertex or where doubles run out, so
+    /// that there is no finer mesh.
     Outside,
     /// A sink of it or its circumcenter passes the tests: refinement ended before its turn came, or its method does without
-    /// that one.
+    /// that one, which may be nearer to a vertex than it allows.
     NotReached,
 }
 

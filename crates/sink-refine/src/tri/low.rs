@@ -31,10 +31,11 @@ pub enum Reason2 {
     /// Its sink and its circumcenter are inside diametral circles of boundary edges, this one among them. When
     /// they might be divided: these have been as far as they may be.
     Encroaches(HalfEdgeId),
-    /// Its flow leaves through the boundary, and its circumcenter is outside.
+    /// Its flow leaves through the boundary, and its circumcenter is outside; or they fall on a vertex or where doubles run out, so
+    /// that there is no finer mesh.
     Outside,
     /// Its sink or its circumcenter passes the tests: refinement ended before its turn came, or its method does without that one
-    /// of the two.
+    /// of the two, which may be nearer to a vertex than it allows.
     NotReached,
 }
 

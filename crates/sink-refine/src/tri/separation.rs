@@ -8,7 +8,8 @@ use std::f64::consts::PI;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Separation2 {
     /// Length of the shortest edge before: δ. The paper's method never makes a shorter one, unless the boundary may be divided,
-    /// when δ is an eighth of it, or a smaller size is asked for: then none is shorter than 1/√3 times the least size.
+    /// when δ is an eighth of it, or a smaller size is asked for: then none is shorter than 1/√3 times the least size, or an
+    /// eighth of that with both.
     pub given: f64,
     /// Length of the shortest edge after.
     pub reached: f64,

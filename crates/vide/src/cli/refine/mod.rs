@@ -60,7 +60,8 @@ pub(crate) struct RefineArgs {
     #[arg(long, value_name = "DEG", value_parser = method::parse_crease)]
     crease: Option<f64>,
     /// Afterwards make tetrahedra better whose smallest dihedral angle is below DEG degrees, or the largest above 180 - DEG, by
-    /// exchanges, moves and new vertices inside: 20 is quick, 30 thorough. They need not be Delaunay then
+    /// exchanges, moves and new vertices inside: 20 is quick, 30 thorough. They need not be Delaunay then, and some may be above
+    /// the ratio or the size
     #[arg(long, value_name = "DEG", value_parser = improve::parse)]
     min_dihedral: Option<f64>,
     /// Most vertices to add to those given
