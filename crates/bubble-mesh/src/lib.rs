@@ -7,10 +7,12 @@
 //!
 //! - A [`Domain`] is the region and its boundary nodes with their [`Bubble`]s (§2.1, §2.3).
 //! - [`paper`] is the method of the paper as it is printed: generation (§2.4) and optimization by bubble forces (§3).
+//! - [`curve`] makes boundary nodes from smooth curves.
 //! - [`graded`] is what goes beyond it: meshes without a poor triangle where the boundary allows that.
 //! - [`radius_ratio`] judges triangles (eq. 10).
 
 mod bubble;
+pub mod curve;
 mod domain;
 mod error;
 pub mod graded;
