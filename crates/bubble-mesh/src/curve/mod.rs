@@ -71,6 +71,8 @@ mod interval;
 mod params;
 mod piece;
 mod place;
+#[cfg(test)]
+mod promises;
 mod sample;
 mod sampled;
 mod spline;

@@ -208,18 +208,18 @@ mod tests {
 
     #[test]
     fn what_is_no_piece_is_named() {
-        insta::assert_snapshot!(error(Piece::line(O, O)), @"");
-        insta::assert_snapshot!(error(Piece::line(O, DVec2::NAN)), @"");
-        insta::assert_snapshot!(error(Piece::arc(O, 0.0, 0.0, 1.0)), @"");
-        insta::assert_snapshot!(error(Piece::arc(O, f64::INFINITY, 0.0, 1.0)), @"");
-        insta::assert_snapshot!(error(Piece::arc(O, 1.0, 0.0, 7.0)), @"");
-        insta::assert_snapshot!(error(Piece::arc(O, 1.0, f64::NAN, 1.0)), @"");
-        insta::assert_snapshot!(error(Piece::arc(O, 1.0, 0.0, 0.0)), @"");
-        insta::assert_snapshot!(error(Piece::arc_through(O, DVec2::X, 2.0 * DVec2::X)), @"");
-        insta::assert_snapshot!(error(Piece::bezier([DVec2::ONE; 4])), @"");
-        insta::assert_snapshot!(error(Piece::spline(&[O])), @"");
-        insta::assert_snapshot!(error(Piece::spline(&[O, DVec2::X, DVec2::X])), @"");
-        insta::assert_snapshot!(error(Piece::closed_spline(&[O, DVec2::X, DVec2::Y, O])), @"");
+        insta::assert_snapshot!(error(Piece::line(O, O)), @"the piece has no length");
+        insta::assert_snapshot!(error(Piece::line(O, DVec2::NAN)), @"point 1 has x = NaN, which is neither zero nor of magnitude 2^-142 to 2^201 (about 1.8e-43 to 3.2e60)");
+        insta::assert_snapshot!(error(Piece::arc(O, 0.0, 0.0, 1.0)), @"the radius 0e0 is not a number of 2^-142 to 2^201 (about 1.8e-43 to 3.2e60)");
+        insta::assert_snapshot!(error(Piece::arc(O, f64::INFINITY, 0.0, 1.0)), @"the radius inf is not a number of 2^-142 to 2^201 (about 1.8e-43 to 3.2e60)");
+        insta::assert_snapshot!(error(Piece::arc(O, 1.0, 0.0, 7.0)), @"the angle 7 is not finite, or more than a full turn");
+        insta::assert_snapshot!(error(Piece::arc(O, 1.0, f64::NAN, 1.0)), @"the angle NaN is not finite, or more than a full turn");
+        insta::assert_snapshot!(error(Piece::arc(O, 1.0, 0.0, 0.0)), @"the piece has no length");
+        insta::assert_snapshot!(error(Piece::arc_through(O, DVec2::X, 2.0 * DVec2::X)), @"no circle goes through three points on a line");
+        insta::assert_snapshot!(error(Piece::bezier([DVec2::ONE; 4])), @"the piece has no length");
+        insta::assert_snapshot!(error(Piece::spline(&[O])), @"1 points are given, at least 2 are needed");
+        insta::assert_snapshot!(error(Piece::spline(&[O, DVec2::X, DVec2::X])), @"point 2 is at the place of the point before it");
+        insta::assert_snapshot!(error(Piece::closed_spline(&[O, DVec2::X, DVec2::Y, O])), @"point 0 is at the place of the point before it");
     }
 
     #[test]
