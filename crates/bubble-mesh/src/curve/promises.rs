@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use delaunay_core::VertexId;
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -15,21 +16,20 @@ struct Edge {
     curve: usize,
     arcs: [f64; 2],
     ends: [DVec2; 2],
+    /// The place in the middle of the arc.
+    middle: DVec2,
 }
 
 impl Edge {
     fn length(&self) -> f64 {
         self.arcs[1] - self.arcs[0]
     }
-
-    fn middle(&self) -> DVec2 {
-        self.ends[0].midpoint(self.ends[1])
-    }
 }
 
 fn edges(curves: &[Curve], sampled: &Sampled) -> Vec<Edge> {
+    let traces: Vec<_> = curves.iter().map(trace).collect();
     let segments = sampled.segments.iter().zip(&sampled.curve_of);
-    let edge = |(ends, &curve): (&[delaunay_core::VertexId; 2], &usize)| {
+    let edge = |(ends, &curve): (&[VertexId; 2], &usize)| {
         let [start, end] = ends.map(|v| sampled.arc_of[v.index()]);
         let end = if end > start {
             end
@@ -40,6 +40,7 @@ fn edges(curves: &[Curve], sampled: &Sampled) -> Vec<Edge> {
             curve,
             arcs: [start, end],
             ends: ends.map(|v| sampled.points[v.index()]),
+            middle: along(&traces[curve], start.midpoint(end)),
         }
     };
     segments.map(edge).collect()
@@ -58,6 +59,15 @@ fn trace(curve: &Curve) -> Vec<(f64, DVec2)> {
         }
     }
     traced
+}
+
+/// The place at an arc length.
+fn along(trace: &[(f64, DVec2)], arc: f64) -> DVec2 {
+    let after = trace
+        .partition_point(|&(at, _)| at < arc)
+        .clamp(1, trace.len() - 1);
+    let [(a, p), (b, q)] = [trace[after - 1], trace[after]];
+    p.lerp(q, (arc - a) / (b - a))
 }
 
 fn distance(place: DVec2, [a, b]: [DVec2; 2]) -> f64 {
@@ -117,14 +127,18 @@ fn check_neighbours(
     Ok(())
 }
 
-/// Sizes are edges up to a tenth for the number of edges being whole, and a little for varying within the edge.
+/// An edge is long between 0.9 of the least and all of the greatest that a size in its middle permits.
 fn check_gaps(sampling: &Sampling, edges: &[Edge]) -> Result<(), TestCaseError> {
+    let half = 0.5 * sampling.grade;
+    let (greatest, least) = (half.exp_m1() / half, 0.9 * -(-half).exp_m1() / half);
     for coarse in edges {
         for fine in edges {
-            let gap = coarse.middle().distance(fine.middle());
-            let excess = coarse.length() / 1.05 - fine.length() / 0.85;
+            let gap = coarse.middle.distance(fine.middle);
+            let excess = coarse.length() / greatest - fine.length() / least;
+            // Places in the middle are nearly exact.
+            let permitted = sampling.grade * gap + 1e-3 * sampling.size;
             prop_assert!(
-                excess <= sampling.grade * gap,
+                excess <= permitted,
                 "{coarse:?} beside {fine:?}: {excess} over {gap}"
             );
         }
@@ -187,7 +201,7 @@ proptest! {
             let [c, d] = [0.3, 0.7].map(|t| a.lerp(b, t) + DVec2::new(-0.4, 0.5 - t));
             match kinds[i] {
                 0 => Piece::line(a, b),
-                1 => Piece::arc_through(a, c, b),
+                1 => Piece::arc_through(a, a.lerp(b, 0.3) + 0.4 * (b - a).perp(), b),
                 2 => Piece::bezier([a, c, d, b]),
                 _ => Piece::spline(&[a, c, d, b]),
             }
@@ -223,7 +237,7 @@ fn equal_arcs_get_equal_edges() {
     let edges = edges(&[stadium], &sampled);
     let on_arcs: Vec<&Edge> = edges
         .iter()
-        .filter(|edge| (edge.middle().x - 1.0).abs() > 1.0)
+        .filter(|edge| (edge.middle.x - 1.0).abs() > 1.0)
         .collect();
     assert_eq!(on_arcs.len(), 2 * (PI / 0.15).ceil() as usize);
     assert!(
@@ -314,4 +328,68 @@ fn a_budget_ends_it_at_once() {
         assert_eq!(error, SamplingError::TooManyNodes { at_most });
     }
     assert_eq!(sample_all(&[], &sampling(1.0, 0)), Ok(Sampled::default()));
+}
+
+#[test]
+fn odd_curves_are_sampled_too() {
+    let bezier = |control: [[f64; 2]; 4]| Piece::bezier(control.map(DVec2::from));
+    let [o, x] = [[0.0, 0.0], [1.0, 0.0]];
+    let pieces = [
+        bezier([o, o, o, x]),
+        bezier([o, o, x, x]),
+        bezier([o, x, x, o]),
+        bezier([o, [3.0, 0.0], [-2.0, 0.0], x]),
+        bezier([o, [3.0, 1e-9], [-2.0, 0.0], x]),
+        bezier([o, [1.0, 1.0], [0.0, 1.0], x]),
+        Piece::spline(&[o, [1e-12, 0.0], x, [1.0, 1e-12], o].map(DVec2::from)),
+        Piece::elliptic_arc(DVec2::ZERO, [1.0, 1e-9], 0.0, [0.0, TAU]),
+    ];
+    for piece in pieces {
+        let curve = Curve::open(vec![piece.expect("a piece")]).expect("a curve");
+        for size in [10.0, 0.1] {
+            let sampled = sample(&curve, &Sampling::new(size)).expect("few nodes");
+            assert!(sampled.points.iter().all(|p| p.is_finite()));
+            assert!((1..2000).contains(&sampled.segments.len()));
+        }
+    }
+    for radius in [1e-42, 1e-20, 1.0, 1e20, 1e60] {
+        let circle = Curve::circle(DVec2::ZERO, radius).expect("a circle");
+        let sampled = sample(&circle, &Sampling::new(0.1 * radius)).expect("few nodes");
+        assert_eq!(sampled.points.len(), 63);
+        for size in [1e-70, 1e-200] {
+            assert!(sample(&circle, &Sampling::new(size)).is_err());
+        }
+    }
+}
+
+#[test]
+fn pieces_that_do_not_meet_are_named() {
+    let line = |a: [f64; 2], b: [f64; 2]| Piece::line(a.into(), b.into()).expect("a line");
+    let pieces = || vec![line([0.0, 0.0], [1.0, 0.0]), line([1.0, 0.0], [1.0, 1.0])];
+    assert!(Curve::open(pieces()).is_ok());
+    let apart = Curve::closed(pieces()).unwrap_err().to_string();
+    assert!(
+        apart.starts_with("piece 0 begins at a distance of 1.414"),
+        "{apart}"
+    );
+    let mut gap = pieces();
+    gap.push(line([1.0, 1.5], [0.0, 0.0]));
+    let apart = Curve::closed(gap).unwrap_err().to_string();
+    assert!(
+        apart.starts_with("piece 2 begins at a distance of 5e-1"),
+        "{apart}"
+    );
+    assert!(Curve::open(Vec::new()).is_err() && Curve::polygon(&[]).is_err());
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_nodes() {
+    let outer = Curve::closed_spline(&star(DVec2::ZERO, &[1.0, 2.0, 1.5, 1.2, 1.9])).unwrap();
+    let curves = [outer, Curve::circle(DVec2::new(0.1, 0.0), 0.3).unwrap()];
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.unwrap()
+            .install(|| sample_all(&curves, &Sampling::new(0.01)))
+    };
+    assert_eq!(on(1), on(4));
 }

@@ -11,8 +11,8 @@ use super::sampled::{Numbering, Sampled};
 use super::stray::tighten;
 use super::track::Track;
 
-/// At most so many times sizes are adapted to the edges that they lead to.
-const ROUNDS: usize = 8;
+/// At most so many times sizes are adapted to the edges that they lead to; it seldom takes more than five.
+const ROUNDS: usize = 24;
 
 /// Edges that are this part of their size or more are as long as they should be.
 const CLOSE: f64 = 0.9;
@@ -30,7 +30,7 @@ pub fn sample(curve: &Curve, sampling: &Sampling) -> Result<Sampled, SamplingErr
 /// The [module](super) says what is promised. Takes n log n time for n nodes, a few times over; the same curves give the same nodes, bit
 /// for bit, on any number of threads. It ends when no edge strays too far from its curve and few are much
 /// shorter than their size: sizes only ever shrink, where edges stray never below two tolerances, and for the sake of short edges in
-/// eight rounds at most.
+/// a few rounds at most.
 ///
 /// # Errors
 /// [`SamplingError`] when what is asked for makes no sense, or takes more nodes than are allowed.
