@@ -11,13 +11,16 @@
 //! - [`graded`] is what goes beyond it: meshes without a poor triangle where the boundary allows that.
 //! - [`radius_ratio`] judges triangles (eq. 10).
 
+mod boundary;
 mod bubble;
 pub mod curve;
 mod domain;
 mod error;
 pub mod graded;
 pub mod paper;
+mod spacing;
 
+pub use boundary::{ResampleError, Resampled, Resampling, resample};
 pub use bubble::{
     Bubble, boundary_bubbles, boundary_node_area, boundary_node_radius, bubble_density, centroid,
 };
@@ -25,3 +28,4 @@ pub use bubble::{
 pub use delaunay_core::measure::triangle::radius_ratio;
 pub use domain::Domain;
 pub use error::{DomainError, OptimizeError};
+pub use spacing::{NodeSpacing, Spacing};

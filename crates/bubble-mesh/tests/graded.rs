@@ -7,10 +7,10 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use bubble_mesh::graded::{GradedError, GradedMesh, GradedParams, Stop, mesh, mesh_sized};
-use bubble_mesh::{Domain, radius_ratio};
+use bubble_mesh::{Domain, Resampling, radius_ratio, resample};
 use delaunay_core::measure::triangle;
 use delaunay_core::progress::{Progress, silent};
-use delaunay_core::{Complex2, HalfEdgeId, TriMesh, VertexId};
+use delaunay_core::{BuildOptions, Complex2, HalfEdgeId, Outline, TriMesh, VertexId};
 use glam::DVec2;
 use proptest::prelude::*;
 use regions::{circle, domain, even, of_the_paper, square};
@@ -208,4 +208,59 @@ proptest! {
         let mesh = mesh(&domain, &params, &mut silent).expect("good parameters");
         check(&domain, &mesh)?;
     }
+}
+
+/// The figures of the given boundary, with sliding, and with a boundary sampled anew.
+#[test]
+fn boundary_nodes_that_slide_or_are_sampled_anew_make_better_triangles() {
+    let mut found = String::new();
+    for (name, fixed) in of_the_paper() {
+        let params = GradedParams {
+            sliding: Some(0.5),
+            ..GradedParams::default()
+        };
+        let kept = meshed(&fixed);
+        let slid = mesh(&fixed, &params, &mut silent).expect("good parameters");
+        assert_eq!(slid.complex.check(), Ok(()));
+        let moved = fixed.region().points().iter().zip(slid.complex.points());
+        assert!(moved.filter(|(p, q)| p != q).count() > 10, "{name}");
+        let area = slid
+            .complex
+            .faces()
+            .map(|f| triangle::area(slid.complex.triangle(f)));
+        let area = area.sum::<f64>() / fixed.area() - 1.0;
+        let again = sampled_anew(&fixed);
+        let resampled = meshed(&again);
+        check(&again, &resampled).expect("a valid mesh");
+        let [kept, slid, resampled] = [kept, slid, resampled].map(|mesh| quality(&mesh.complex));
+        assert!(slid.1 > kept.1 && slid.0 > 0.9, "{name}: {slid:?} {kept:?}");
+        found += &format!(
+            "{name}: fixed {:.3} {:.4}, sliding {:.3} {:.4} (area by {area:.1e}), {} nodes anew for {} {:.3} {:.4}\n",
+            kept.0,
+            kept.1,
+            slid.0,
+            slid.1,
+            again.region().points().len(),
+            fixed.region().points().len(),
+            resampled.0,
+            resampled.1
+        );
+    }
+    insta::assert_snapshot!(found);
+}
+
+fn sampled_anew(domain: &Domain) -> Domain {
+    let region = domain.region();
+    let mesh = region.mesh();
+    let ends = |h: HalfEdgeId| [mesh.origin(h), mesh.target(h)];
+    let segments: Vec<_> = region.boundary().map(ends).collect();
+    let anew = resample(
+        region.points(),
+        &segments,
+        |_, _| true,
+        &Resampling::default(),
+    );
+    let anew = anew.expect("a boundary with curves");
+    let outline = Outline::new(anew.points, anew.segments).expect("a closed outline");
+    Domain::new(&outline, BuildOptions::default(), &mut silent).expect("a region")
 }

@@ -7,6 +7,7 @@ use glam::DVec2;
 use super::error::CurveError;
 use super::interval::Interval;
 use super::piece::Piece;
+use super::stretch::Stretch;
 
 /// Ends meet when they are closer than this part of the length of the curve.
 const MEETING: f64 = 1e-9;
@@ -112,6 +113,37 @@ impl Curve {
     #[must_use]
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
+    }
+
+    /// How many stretches it has, those of a spline between two of its points, one after the other.
+    pub(crate) fn stretch_count(&self) -> f64 {
+        let counts = self.pieces.iter().map(|piece| piece.stretches.len());
+        counts.sum::<usize>() as f64
+    }
+
+    /// The place after so many stretches, whole ones and a part by its parameter.
+    pub(crate) fn point(&self, at: f64) -> DVec2 {
+        self.stretch_at(at)
+            .map_or(DVec2::NAN, |(stretch, t)| stretch.point(t))
+    }
+
+    /// The derivative of [`Curve::point`].
+    pub(crate) fn velocity(&self, at: f64) -> DVec2 {
+        self.stretch_at(at)
+            .map_or(DVec2::NAN, |(stretch, t)| stretch.velocity(t))
+    }
+
+    fn stretch_at(&self, at: f64) -> Option<(&Stretch, f64)> {
+        let last = self.stretch_count() - 1.0;
+        let before = at.floor().clamp(0.0, last);
+        let mut skip = before as usize;
+        for piece in &self.pieces {
+            match piece.stretches.get(skip) {
+                Some(stretch) => return Some((stretch, at - before)),
+                None => skip -= piece.stretches.len(),
+            }
+        }
+        None
     }
 
     fn of(pieces: Vec<Piece>, is_closed: bool) -> Result<Self, CurveError> {

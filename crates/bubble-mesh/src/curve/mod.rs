@@ -85,5 +85,7 @@ pub use chain::Curve;
 pub use error::{CurveError, SamplingError};
 pub use params::Sampling;
 pub use piece::Piece;
+pub(crate) use sample::sample_sized;
 pub use sample::{sample, sample_all};
 pub use sampled::Sampled;
+pub(crate) use track::Sizes;

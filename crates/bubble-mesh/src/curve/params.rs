@@ -38,6 +38,14 @@ impl Sampling {
         bent.max(2.0 * self.chord).min(self.size)
     }
 
+    /// As [`Sampling::check`], but that the size may be infinite.
+    pub(crate) fn check_or_free(&self) -> Result<(), SamplingError> {
+        let size = self.size.min(f64::MAX);
+        // A number that is none is the lesser of neither.
+        let size = if self.size.is_nan() { self.size } else { size };
+        Self { size, ..*self }.check()
+    }
+
     pub(super) fn check(&self) -> Result<(), SamplingError> {
         let &Self {
             size, chord, grade, ..

@@ -145,6 +145,15 @@ impl Piece {
         })
     }
 
+    /// The straight stretches from each point to the next.
+    pub(crate) fn straight(points: &[DVec2]) -> Result<Self, CurveError> {
+        let sides = points.windows(2).map(|ends| Self::line(ends[0], ends[1]));
+        let sides: Vec<Self> = sides.collect::<Result<_, _>>()?;
+        Ok(Self {
+            stretches: sides.into_iter().flat_map(|side| side.stretches).collect(),
+        })
+    }
+
     /// The periodic cubic spline through the points in their order and back to the first.
     pub(super) fn closed_spline(points: &[DVec2]) -> Result<Self, CurveError> {
         check_knots(points, 3)?;

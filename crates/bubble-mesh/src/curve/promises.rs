@@ -7,7 +7,7 @@ use glam::DVec2;
 use proptest::prelude::*;
 
 use super::sample::{sample, sample_all};
-use super::track::Track;
+use super::track::{Sizes, Track};
 use super::{Curve, Piece, Sampled, Sampling, SamplingError};
 
 /// An edge, by arc lengths of its curve.
@@ -48,7 +48,7 @@ fn edges(curves: &[Curve], sampled: &Sampled) -> Vec<Edge> {
 
 /// Arc lengths and places along a curve, very many.
 fn trace(curve: &Curve) -> Vec<(f64, DVec2)> {
-    let track = Track::of(curve, &Sampling::new(curve.length()));
+    let track = Track::of(curve, &Sampling::new(curve.length()), Sizes::Free);
     let mut arc = 0.0;
     let mut traced = Vec::new();
     for interval in &track.intervals {

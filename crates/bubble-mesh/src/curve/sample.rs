@@ -9,7 +9,7 @@ use super::params::Sampling;
 use super::place::{Span, count, place};
 use super::sampled::{Numbering, Sampled};
 use super::stray::tighten;
-use super::track::Track;
+use super::track::{Sizes, Track};
 
 /// At most so many times sizes are adapted to the edges that they lead to; it seldom takes more than five.
 const ROUNDS: usize = 24;
@@ -36,9 +36,18 @@ pub fn sample(curve: &Curve, sampling: &Sampling) -> Result<Sampled, SamplingErr
 /// [`SamplingError`] when what is asked for makes no sense, or takes more nodes than are allowed.
 pub fn sample_all(curves: &[Curve], sampling: &Sampling) -> Result<Sampled, SamplingError> {
     sampling.check()?;
+    sample_sized(curves, sampling, Sizes::Free)
+}
+
+/// As [`sample_all`], with sizes of the curves' own; the largest may be infinite then.
+pub(crate) fn sample_sized(
+    curves: &[Curve],
+    sampling: &Sampling,
+    sizes: Sizes,
+) -> Result<Sampled, SamplingError> {
     let mut tracks: Vec<Track<'_>> = curves
         .iter()
-        .map(|curve| Track::of(curve, sampling))
+        .map(|curve| Track::of(curve, sampling, sizes))
         .collect();
     let mut rounds = 0;
     loop {

@@ -15,6 +15,15 @@ const FINENESS: f64 = 0.25;
 /// Sizes that curvature asks for in the middle of an interval are at least this part of those at its ends.
 const SMOOTHNESS: f64 = 0.875;
 
+/// What says how long edges shall be, beside the sampling.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sizes {
+    /// Nothing.
+    Free,
+    /// The stretches of the curve: edges are about as long as they are.
+    OfStretches,
+}
+
 /// A curve with samples, one more than there are intervals between them.
 pub(super) struct Track<'a> {
     pub(super) intervals: Vec<Interval<'a>>,
@@ -46,11 +55,27 @@ impl Sample {
     }
 }
 
+/// The arc length of a stretch, from that of its parts.
+fn length_of(parts: &[Interval<'_>]) -> f64 {
+    parts.iter().map(|part| part.length).sum()
+}
+
+/// The sizes at the ends of stretches of these lengths: the means of those that meet.
+fn of_knots(lengths: &[f64], is_loop: bool) -> Vec<f64> {
+    let inner = lengths.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    let [first, last] = [lengths.first(), lengths.last()].map(|end| end.copied().unwrap_or(0.0));
+    let [first, last] = match is_loop {
+        true => [0.5 * (first + last); 2],
+        false => [first, last],
+    };
+    std::iter::once(first).chain(inner).chain([last]).collect()
+}
+
 impl<'a> Track<'a> {
     /// The curve in its coarsest samples.
     ///
     /// No edge shall be longer than a piece, for the sake of its neighbours, nor than a third of a closed curve.
-    pub(super) fn of(curve: &'a Curve, sampling: &Sampling) -> Self {
+    pub(super) fn of(curve: &'a Curve, sampling: &Sampling, sizes: Sizes) -> Self {
         let mut track = Self {
             intervals: Vec::new(),
             samples: Vec::new(),
@@ -60,10 +85,16 @@ impl<'a> Track<'a> {
             false => curve.length(),
         };
         for piece in curve.pieces() {
-            let intervals: Vec<Interval<'a>> =
-                piece.stretches.iter().flat_map(Interval::of).collect();
-            let length = intervals.iter().map(|interval| interval.length).sum();
-            track.append(intervals, longest.min(length), sampling);
+            let intervals: Vec<Vec<Interval<'a>>> =
+                piece.stretches.iter().map(Interval::of).collect();
+            let lengths: Vec<f64> = intervals.iter().map(|parts| length_of(parts)).collect();
+            let length = lengths.iter().sum();
+            let first = track.samples.len().saturating_sub(1);
+            track.append(intervals.concat(), longest.min(length), sampling);
+            if sizes == Sizes::OfStretches {
+                let is_loop = curve.is_closed() && curve.pieces().len() == 1;
+                track.ask_for(first, &intervals, &of_knots(&lengths, is_loop));
+            }
         }
         if let [first, .., last] = track.samples.as_mut_slice()
             && curve.is_closed()
@@ -100,6 +131,21 @@ impl<'a> Track<'a> {
             last.is_joint = true;
         }
         self.intervals.extend(intervals);
+    }
+
+    /// Asks for sizes at the ends of the stretches of a piece, linear in between; its samples begin with `first`.
+    fn ask_for(&mut self, first: usize, stretches: &[Vec<Interval<'_>>], knots: &[f64]) {
+        let mut samples = self.samples[first..].iter_mut();
+        for (parts, ends) in stretches.iter().zip(knots.windows(2)) {
+            let (length, mut before) = (length_of(parts), 0.0);
+            for (part, sample) in parts.iter().zip(&mut samples) {
+                sample.ask(ends[0] + (ends[1] - ends[0]) * before / length);
+                before += part.length;
+            }
+        }
+        if let (Some(last), Some(&size)) = (samples.next(), knots.last()) {
+            last.ask(size);
+        }
     }
 
     /// Halves the intervals that are too long for what is known of sizes; whether there were any.

@@ -142,6 +142,11 @@ impl Symmetric {
         }
     }
 
+    /// The second derivative in a direction of length one.
+    pub(super) fn along(self, d: DVec2) -> f64 {
+        d.x * d.x * self.xx + 2.0 * d.x * d.y * self.xy + d.y * d.y * self.yy
+    }
+
     /// The solution of `self` x = `right`, when the matrix is positive definite, clearly.
     pub(super) fn solve(self, right: DVec2) -> Option<DVec2> {
         let determinant = self.xx * self.yy - self.xy * self.xy;

@@ -3,23 +3,25 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
-use delaunay_core::Complex2;
 use delaunay_core::measure::triangle::radius_ratio;
-use delaunay_core::progress::{Cancelled, Meter, Progress};
+use delaunay_core::progress::{Cancelled, Meter, Progress, silent};
+use delaunay_core::{BuildOptions, Complex2, Constrained2, Crossings, VertexId};
+use glam::DVec2;
 
 use super::energy::{FIRST, LAST};
-use super::optimize::{Sweeps, optimize};
+use super::optimize::{Sweeps, optimize, optimize_on};
 use super::params::{GradedError, GradedParams, Stop};
 use super::place::{Order, place};
 use super::relax::relax;
 use super::search::search;
 use super::size::{SizeField, Sizing};
+use crate::boundary::Rails;
 use crate::domain::Domain;
 
 /// A graded mesh.
 #[derive(Clone, Debug)]
 pub struct GradedMesh {
-    /// The triangles; the boundary nodes are those of the domain, with the same ids.
+    /// The triangles; the boundary nodes are those of the domain, with the same ids, in the same places unless they slide.
     pub complex: Complex2,
     /// Why it ended.
     pub stop: Stop,
@@ -73,7 +75,8 @@ pub fn mesh_sized(
     params.check()?;
     let sizes = boundary_sizes(domain);
     let places = domain.region().points().iter().copied();
-    let field = SizeField::new(places.zip(sizes.iter().copied()), params.scale, sizing);
+    let nodes = places.zip(sizes.iter().copied());
+    let field = SizeField::new(nodes, params.scale, params.grade, sizing);
     let report = Mutex::new(report);
     let start = |order: Order| start(domain, &sizes, &field, order, params, &mut told(&report));
     let (layers, gaps) = rayon::join(|| start(Order::LayersFirst), || start(Order::LargestFirst));
@@ -84,7 +87,7 @@ pub fn mesh_sized(
         layers
     };
     if mesh.stop != Stop::Cancelled
-        && let Err(cancelled) = mesh.finish(params, &mut told(&report))
+        && let Err(cancelled) = mesh.finish(domain, params, &mut told(&report))
     {
         mesh.stop = cancelled.into();
     }
@@ -166,6 +169,7 @@ impl GradedMesh {
     /// Changes the connectivity where that pays, and makes the worst triangles better.
     fn finish(
         &mut self,
+        domain: &Domain,
         params: &GradedParams,
         report: &mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<(), Cancelled> {
@@ -174,7 +178,31 @@ impl GradedMesh {
             search(&mut self.complex, params.trials, &mut meter)?;
             optimize(&mut self.complex, first_sweeps(params), &mut meter)?;
         }
+        if let Some(crease) = params.sliding {
+            let mut meter = Meter::start(report, "slide", 0)?;
+            self.slide(domain, crease, first_sweeps(params), &mut meter)?;
+        }
         self.polish(params, report)
+    }
+
+    /// Makes the shapes better with boundary nodes that slide, unless parts of the boundary would meet then.
+    fn slide(
+        &mut self,
+        domain: &Domain,
+        crease: f64,
+        sweeps: Sweeps,
+        meter: &mut Meter<'_>,
+    ) -> Result<(), Cancelled> {
+        // Nodes that no curve goes through, far out for instance, stay.
+        let Ok(mut rails) = Rails::of(domain.region(), crease) else {
+            return Ok(());
+        };
+        let mut slid = self.complex.clone();
+        optimize_on(&mut slid, Some(&mut rails), sweeps, meter)?;
+        if is_boundary_simple(&slid) {
+            self.complex = slid;
+        }
+        Ok(())
     }
 
     /// Makes the worst triangles better at the cost of others, unless the mean loses more than the worst gain.
@@ -216,6 +244,30 @@ impl GradedMesh {
             _ => cost(self) < cost(other),
         }
     }
+}
+
+/// Whether no two edges of the boundary meet but in common nodes. Takes n log n time for the boundary.
+fn is_boundary_simple(complex: &Complex2) -> bool {
+    let mesh = complex.mesh();
+    let bases = mesh.faces().filter_map(|f| mesh.ghost_base(f));
+    let edges = bases.map(|h| [mesh.origin(h), mesh.target(h)]);
+    let mut edges: Vec<[VertexId; 2]> = edges.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    edges.sort_unstable();
+    edges.dedup();
+    let mut nodes: Vec<VertexId> = edges.iter().flatten().copied().collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    let points: Vec<DVec2> = nodes.iter().map(|&v| complex.point(v)).collect();
+    let number = |v: VertexId| VertexId::new(nodes.partition_point(|&w| w < v));
+    let segments: Vec<[VertexId; 2]> = edges.iter().map(|ends| ends.map(number)).collect();
+    let options = BuildOptions::default();
+    let built = Constrained2::build(&points, &segments, Crossings::Refuse, options, &mut silent);
+    built.is_ok_and(|built| {
+        let is_apart = built.duplicates().iter().next().is_none();
+        // A segment through a node is in two parts.
+        let whole = |&[a, b]: &[VertexId; 2]| built.mesh().neighbors(a).any(|v| v == b);
+        is_apart && segments.iter().all(whole)
+    })
 }
 
 /// Radius ratios of triangles.

@@ -6,6 +6,7 @@ use delaunay_core::{Complex2, FaceId, HalfEdgeId, VertexId};
 
 use super::energy::Energy;
 use super::smooth::Smoother;
+use crate::boundary::Rails;
 
 /// A flip has to gain so much.
 const LEAST_GAIN: f64 = 1e-9;
@@ -35,11 +36,25 @@ pub(super) fn optimize(
     sweeps: Sweeps,
     meter: &mut Meter<'_>,
 ) -> Result<(), Cancelled> {
-    let mut worklist = Worklist::of(complex, sweeps.below);
+    optimize_on(complex, None, sweeps, meter)
+}
+
+/// As [`optimize`], with boundary vertices that move along their curves.
+///
+/// # Errors
+/// As [`optimize`].
+pub(super) fn optimize_on(
+    complex: &mut Complex2,
+    mut rails: Option<&mut Rails>,
+    sweeps: Sweeps,
+    meter: &mut Meter<'_>,
+) -> Result<(), Cancelled> {
+    let mut worklist = Worklist::of(complex, rails.as_deref(), sweeps.below);
     let mut smoother = Smoother::default();
     let mut changed: Vec<FaceId> = complex.faces().collect();
     for _ in 0..sweeps.limit {
-        let moved = worklist.sweep(complex, &mut smoother, sweeps, &mut changed, meter)?;
+        let rails = rails.as_deref_mut();
+        let moved = worklist.sweep(complex, rails, &mut smoother, sweeps, &mut changed, meter)?;
         let flipped = flip_all(complex, sweeps.energy, &mut changed);
         worklist.mark(complex, &flipped);
         if !moved && flipped.is_empty() {
@@ -52,15 +67,18 @@ pub(super) fn optimize(
 
 /// The vertices that may have something to gain.
 struct Worklist {
-    inner: Vec<VertexId>,
+    /// Those inside, and those of the boundary that may move.
+    vertices: Vec<VertexId>,
     /// By vertex index.
     pending: Vec<bool>,
 }
 
 impl Worklist {
-    fn of(complex: &Complex2, below: f64) -> Self {
+    fn of(complex: &Complex2, rails: Option<&Rails>, below: f64) -> Self {
+        let inner = complex.inner_vertices();
+        let on_rails = rails.into_iter().flat_map(Rails::vertices);
         let mut worklist = Self {
-            inner: complex.inner_vertices().collect(),
+            vertices: inner.chain(on_rails).collect(),
             pending: vec![false; complex.points().len()],
         };
         let poor = complex
@@ -84,24 +102,30 @@ impl Worklist {
     fn sweep(
         &mut self,
         complex: &mut Complex2,
+        mut rails: Option<&mut Rails>,
         smoother: &mut Smoother,
         sweeps: Sweeps,
         changed: &mut Vec<FaceId>,
         meter: &mut Meter<'_>,
     ) -> Result<bool, Cancelled> {
         let mut any = false;
-        for k in 0..self.inner.len() {
-            let v = self.inner[k];
+        for k in 0..self.vertices.len() {
+            let v = self.vertices[k];
             if !self.pending[v.index()] {
                 continue;
             }
             meter.advance()?;
             self.pending[v.index()] = false;
-            if smoother.smooth(complex, v, sweeps.energy) > sweeps.tolerance {
+            let step = match rails.as_deref_mut().filter(|_| !complex.is_inner(v)) {
+                Some(rails) => smoother.slide(complex, v, rails, sweeps.energy),
+                None => smoother.smooth(complex, v, sweeps.energy),
+            };
+            if step > sweeps.tolerance {
                 any = true;
-                for f in complex.mesh().star(v) {
+                let mesh = complex.mesh();
+                for f in mesh.star(v).filter(|&f| !mesh.is_ghost_face(f)) {
                     changed.push(f);
-                    for w in complex.mesh().face_vertices(f) {
+                    for w in mesh.face_vertices(f) {
                         self.pending[w.index()] = true;
                     }
                 }

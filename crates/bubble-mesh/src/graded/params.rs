@@ -16,6 +16,12 @@ pub struct GradedParams {
     /// Changes of connectivity that are tried, the worst triangles first; none by default. With a thousand for a thousand nodes
     /// the mean ratio gains about three thousandths, in a tenth of a second.
     pub trials: usize,
+    /// How fast sizes grow with the distance from the boundary; without it, which is usual, sizes inside are means of those of the
+    /// boundary and never exceed its largest.
+    pub grade: Option<f64>,
+    /// Boundary nodes slide along the smooth curve through them where the boundary turns by at most this angle, in radians; without it,
+    /// which is usual, all of them stay where they are.
+    pub sliding: Option<f64>,
     /// At most this many nodes, those of the boundary included; a million.
     pub nodes: usize,
 }
@@ -27,6 +33,8 @@ impl Default for GradedParams {
             relaxation: 100,
             sweeps: 60,
             trials: 0,
+            grade: None,
+            sliding: None,
             nodes: 1_000_000,
         }
     }
@@ -58,6 +66,12 @@ pub enum GradedError {
         /// As given.
         scale: f64,
     },
+    /// The gradation is none.
+    #[error("the gradation {grade} is not a finite number above 0")]
+    Grade {
+        /// As given.
+        grade: f64,
+    },
     /// The caller's size is no size.
     #[error("the size at ({}, {}) is {size}, not a finite number above 0", .place.x, .place.y)]
     Size {
@@ -70,10 +84,12 @@ pub enum GradedError {
 
 impl GradedParams {
     pub(super) fn check(&self) -> Result<(), GradedError> {
+        let is_positive = |number: f64| number > 0.0 && number < f64::INFINITY;
         let scale = self.scale;
-        match scale > 0.0 && scale < f64::INFINITY {
-            true => Ok(()),
-            false => Err(GradedError::Scale { scale }),
+        match self.grade.filter(|&grade| !is_positive(grade)) {
+            _ if !is_positive(scale) => Err(GradedError::Scale { scale }),
+            Some(grade) => Err(GradedError::Grade { grade }),
+            None => Ok(()),
         }
     }
 }

@@ -3,6 +3,8 @@
 //! The size at a place is the mean of the sizes of all boundary nodes, weighted by size over squared distance (Shepard 1968). It is smooth
 //! wherever there are nodes to come, equals the boundary's sizes on it, and of the fields tried it leaves the fewest
 //! poor triangles. Nodes far away count together, as in the method of Barnes and Hut, so a value takes log n time.
+//!
+//! With a gradation it is the least of what the nodes permit: the size of a node and a share of the distance from it.
 
 use glam::DVec2;
 
@@ -23,6 +25,7 @@ pub(super) struct SizeField<'a> {
     nodes: Vec<Node>,
     boxes: Vec<Group>,
     scale: f64,
+    grade: Option<f64>,
     sizing: Option<Sizing<'a>>,
 }
 
@@ -41,6 +44,8 @@ struct Group {
     skip: u32,
     low: DVec2,
     high: DVec2,
+    /// The smallest size.
+    least: f64,
     /// The mean place, weighted by size.
     center: DVec2,
     sizes: f64,
@@ -52,12 +57,14 @@ impl<'a> SizeField<'a> {
     pub(super) fn new(
         nodes: impl Iterator<Item = (DVec2, f64)>,
         scale: f64,
+        grade: Option<f64>,
         sizing: Option<Sizing<'a>>,
     ) -> Self {
         let mut field = Self {
             nodes: nodes.map(|(place, size)| Node { place, size }).collect(),
             boxes: Vec::new(),
             scale,
+            grade,
             sizing,
         };
         field.divide(0, field.nodes.len());
@@ -69,7 +76,11 @@ impl<'a> SizeField<'a> {
     /// # Errors
     /// The caller's size when it is not a finite number above zero.
     pub(super) fn at(&self, place: DVec2) -> Result<f64, GradedError> {
-        let of_boundary = self.of_boundary(place);
+        let of_boundary = self.scale
+            * match self.grade {
+                Some(grade) => self.permitted(place, grade),
+                None => self.of_boundary(place),
+            };
         let Some(sizing) = self.sizing else {
             return Ok(of_boundary);
         };
@@ -85,7 +96,27 @@ impl<'a> SizeField<'a> {
         self.sizing.is_some()
     }
 
-    /// What the nodes say.
+    /// The least that the nodes permit, when sizes grow by `grade` times the distance.
+    fn permitted(&self, place: DVec2, grade: f64) -> f64 {
+        let mut least = f64::INFINITY;
+        let mut next = 0;
+        while let Some(group) = self.boxes.get(next) {
+            let nearest = place.clamp(group.low, group.high);
+            if group.least + grade * nearest.distance(place) >= least {
+                next = group.skip as usize;
+                continue;
+            }
+            next += 1;
+            if next == group.skip as usize {
+                for node in &self.nodes[group.first as usize..group.end as usize] {
+                    least = least.min(node.size + grade * node.place.distance(place));
+                }
+            }
+        }
+        least
+    }
+
+    /// The mean of what the nodes say.
     fn of_boundary(&self, place: DVec2) -> f64 {
         let (mut sizes, mut weights) = (0.0, 0.0);
         let mut next = 0;
@@ -103,14 +134,14 @@ impl<'a> SizeField<'a> {
                 for node in &self.nodes[group.first as usize..group.end as usize] {
                     let apart = node.place.distance_squared(place);
                     if apart == 0.0 {
-                        return self.scale * node.size;
+                        return node.size;
                     }
                     sizes += node.size * node.size / apart;
                     weights += node.size / apart;
                 }
             }
         }
-        self.scale * sizes / weights
+        sizes / weights
     }
 
     /// Lists the box of some nodes and those that it is divided into, half of its nodes each.
@@ -132,6 +163,9 @@ impl<'a> SizeField<'a> {
             skip: 0,
             low,
             high,
+            least: nodes
+                .iter()
+                .fold(f64::INFINITY, |least, node| least.min(node.size)),
             center: moment / sizes,
             sizes,
             squares: sum(|node| node.size * node.size),
@@ -174,7 +208,7 @@ mod tests {
     #[test]
     fn far_nodes_together_are_as_good_as_one_by_one() {
         let nodes = ring(1000);
-        let field = SizeField::new(nodes.iter().copied(), 1.0, None);
+        let field = SizeField::new(nodes.iter().copied(), 1.0, None, None);
         for i in 0..200 {
             let at = DVec2::from_angle(f64::from(i)) * (f64::from(i) / 201.0);
             let (found, expected) = (field.of_boundary(at), plainly(&nodes, at));
@@ -188,11 +222,22 @@ mod tests {
     #[test]
     fn nodes_have_their_own_sizes_and_all_are_scaled() {
         let nodes = ring(100);
-        let field = SizeField::new(nodes.iter().copied(), 0.5, None);
+        let field = SizeField::new(nodes.iter().copied(), 0.5, None, None);
         assert!(
             nodes
                 .iter()
-                .all(|&(place, size)| field.of_boundary(place) == 0.5 * size)
+                .all(|&(place, size)| field.at(place) == Ok(0.5 * size))
         );
+    }
+
+    #[test]
+    fn with_a_gradation_sizes_are_the_least_that_any_node_permits() {
+        let nodes = ring(300);
+        let field = SizeField::new(nodes.iter().copied(), 1.0, Some(0.3), None);
+        for i in 0..200 {
+            let at = DVec2::from_angle(f64::from(i)) * (f64::from(i) / 100.0);
+            let permitted = nodes.iter().map(|(p, h)| h + 0.3 * p.distance(at));
+            assert_eq!(field.at(at), Ok(permitted.fold(f64::INFINITY, f64::min)));
+        }
     }
 }

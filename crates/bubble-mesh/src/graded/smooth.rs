@@ -1,9 +1,10 @@
 //! One vertex moves to where its triangles cost less: a step of Newton's method on the cost of its star.
 
-use delaunay_core::{Complex2, VertexId};
+use delaunay_core::{Complex2, HalfEdgeId, VertexId};
 use glam::DVec2;
 
 use super::energy::{Energy, Expansion};
+use crate::boundary::Rails;
 
 /// The step is at most this share of the shortest edge.
 const LONGEST_STEP: f64 = 0.3;
@@ -32,8 +33,7 @@ impl Smoother {
             mesh.link(v)
                 .map(|h| [mesh.origin(h), mesh.target(h)].map(|v| complex.point(v))),
         );
-        let edges = self.link.iter().map(|[a, _]| a.distance_squared(here));
-        let shortest = edges.fold(f64::INFINITY, f64::min).sqrt();
+        let shortest = self.shortest(here);
         let Some(now) = self.expansion(here, energy) else {
             return 0.0;
         };
@@ -49,6 +49,53 @@ impl Smoother {
             share *= SHORTER;
         }
         0.0
+    }
+
+    /// As [`Smoother::smooth`], for a boundary vertex that moves along its curve.
+    pub(super) fn slide(
+        &mut self,
+        complex: &mut Complex2,
+        v: VertexId,
+        rails: &mut Rails,
+        energy: Energy,
+    ) -> f64 {
+        let Some(along) = rails.direction(v) else {
+            return 0.0;
+        };
+        let (here, mesh) = (complex.point(v), complex.mesh());
+        let real = mesh.link(v).filter(|h| !mesh.is_ghost_face(h.face()));
+        let ends = |h: HalfEdgeId| [mesh.origin(h), mesh.target(h)].map(|v| complex.point(v));
+        self.link.clear();
+        self.link.extend(real.map(ends));
+        let shortest = self.shortest(here);
+        let Some(now) = self.expansion(here, energy) else {
+            return 0.0;
+        };
+        let slope = now.gradient.dot(along);
+        let bend = now.hessian.along(along);
+        let step = match bend > 0.0 {
+            true => (-slope / bend).clamp(-LONGEST_STEP * shortest, LONGEST_STEP * shortest),
+            false => -slope.signum() * DOWNHILL_STEP * shortest,
+        };
+        let mut share = 1.0;
+        for _ in 0..TRIES {
+            let Some((at, there)) = rails.ahead(v, share * step) else {
+                return 0.0;
+            };
+            if self.cost(there, energy) < now.cost && complex.move_boundary_vertex(v, there) {
+                rails.seat(v, at);
+                return there.distance(here) / shortest;
+            }
+            share *= SHORTER;
+        }
+        0.0
+    }
+
+    /// The shortest edge from a place to the link.
+    fn shortest(&self, here: DVec2) -> f64 {
+        let ends = self.link.iter().flatten();
+        let lengths = ends.map(|end| end.distance_squared(here));
+        lengths.fold(f64::INFINITY, f64::min).sqrt()
     }
 
     fn cost(&self, there: DVec2, energy: Energy) -> f64 {

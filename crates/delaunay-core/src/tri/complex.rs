@@ -179,6 +179,24 @@ impl Complex2 {
         moves
     }
 
+    /// Moves `v` when all its triangles stay counterclockwise, also when it is on the boundary, which changes then; tells whether it
+    /// did. Whether parts of the boundary meet outside is not asked. Takes time proportional to its degree.
+    pub fn move_boundary_vertex(&mut self, v: VertexId, p: DVec2) -> bool {
+        if self.mesh.outgoing(v).is_none() || check_point2(0, p).is_err() {
+            return false;
+        }
+        let fits = |h: HalfEdgeId| {
+            let ends = [self.mesh.origin(h), self.mesh.target(h)];
+            let [a, b] = ends.map(|v| self.coords[v.slot()]);
+            ends.contains(&VertexId::GHOST) || self.is_counterclockwise([p, a, b])
+        };
+        let moves = !v.is_ghost() && self.mesh.link(v).all(fits);
+        if moves {
+            self.coords[v.slot()] = p + DVec2::ZERO;
+        }
+        moves
+    }
+
     /// Moves many vertices at once when all are inside and all triangles stay counterclockwise; tells whether it did, nothing
     /// has changed else. Places are by vertex, in the same order. Linear time.
     pub fn move_vertices(&mut self, vertices: &[VertexId], places: &[DVec2]) -> bool {
