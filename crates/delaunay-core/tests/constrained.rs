@@ -81,6 +81,21 @@ fn without_crossings(points: &[DVec2], segments: &[[usize; 2]]) -> Vec<[usize; 2
     kept
 }
 
+/// Checks that the segments that an error names cross where it says.
+fn check_crossings(error: &ConstrainError, points: &[DVec2], segments: &[[usize; 2]]) {
+    let ConstrainError::Crossing { crossings } = error else {
+        panic!("{error}");
+    };
+    for crossing in crossings {
+        let pair = crossing.segments.map(|s| segments[s].map(|v| points[v]));
+        assert!(segments_cross(pair[0], pair[1]), "{crossing:?}");
+        for [a, b] in pair {
+            let off = (b - a).normalize().perp_dot(crossing.place - a).abs();
+            assert!(off <= 1e-9, "{crossing:?} is {off} off");
+        }
+    }
+}
+
 fn is_on(p: DVec2, [a, b]: [DVec2; 2]) -> bool {
     orient2d(a, b, p) == Sign::Zero && p.clamp(a.min(b), a.max(b)) == p
 }
@@ -127,7 +142,11 @@ proptest! {
         };
         check(&constrained, &segments);
         let cross = without_crossings(&points, &segments).len() < segments.len();
-        prop_assert_eq!(build(&points, &segments).is_err(), cross);
+        let refused = build(&points, &segments);
+        prop_assert_eq!(refused.is_err(), cross);
+        if let Err(error) = refused {
+            check_crossings(&error, &points, &segments);
+        }
     }
 }
 
@@ -262,6 +281,37 @@ fn defects_are_named() {
     insta::assert_snapshot!(error(&[[0, 2], [4, 3]]), @"segments 0 and 1 cross near (2, 2)");
     let divided = build_with(&points, &[[0, 2], [4, 3]], Crossings::Divide { at_most: 0 });
     insta::assert_snapshot!(divided.unwrap_err(), @"segments cross in more than the 0 places allowed");
+}
+
+#[test]
+fn the_segments_that_an_error_names_cross() {
+    // Segments laid after one that is refused give new numbers to the edges in its way.
+    let points = [
+        [4.0, 2.0],
+        [1.0, 2.0],
+        [3.0, 2.0],
+        [0.0, 4.0],
+        [4.0, 1.0],
+        [4.0, 0.0],
+        [3.0, 3.0],
+        [0.0, 1.0],
+    ]
+    .map(DVec2::from);
+    let segments = [
+        [0, 1],
+        [6, 7],
+        [7, 1],
+        [1, 2],
+        [2, 7],
+        [3, 5],
+        [3, 2],
+        [6, 5],
+        [5, 4],
+        [0, 6],
+        [3, 4],
+    ];
+    let error = build(&points, &segments).unwrap_err();
+    check_crossings(&error, &points, &segments);
 }
 
 #[test]

@@ -137,12 +137,10 @@ impl Constrained2 {
     /// The error that names segments and those in their ways.
     fn crossings(&self, blocked: &[(usize, Crossed)]) -> ConstrainError {
         let crossing = |(number, crossed): &(usize, Crossed)| {
-            let h = crossed.barrier;
-            let other = self.segment_of(h).unwrap_or(*number);
-            let ends = [self.mesh.origin(h), self.mesh.target(h)];
+            let other = crossed.segment;
             Crossing {
                 segments: [other.min(*number), other.max(*number)],
-                place: self.meeting(crossed.way(), ends),
+                place: self.meeting(crossed.way(), crossed.edge),
             }
         };
         let mut crossings: Vec<Crossing> = blocked.iter().map(crossing).collect();

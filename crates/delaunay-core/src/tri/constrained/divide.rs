@@ -79,9 +79,8 @@ impl Constrained2 {
 
     /// Finds or makes the vertex where a way and an edge meet; gives it and what has to be laid anew of the edge.
     fn divide(&mut self, crossed: &Crossed) -> Result<(VertexId, Vec<Piece>), Undivided> {
-        let label = self.labels[crossed.barrier.index()];
-        let ends = [crossed.barrier, self.mesh.twin(crossed.barrier)].map(|h| self.mesh.origin(h));
-        let too_close = Undivided::TooClose(label as usize - 1);
+        let ends = crossed.edge;
+        let too_close = Undivided::TooClose(crossed.segment);
         let vertex = self.vertex_between(crossed.way(), ends).ok_or(too_close)?;
         if ends.contains(&vertex) {
             return Ok((vertex, Vec::new()));
@@ -90,6 +89,7 @@ impl Constrained2 {
             // The new vertex is on the edge exactly, which has been divided with it.
             return Ok((vertex, Vec::new()));
         };
+        let label = self.labels[h.index()];
         self.release(h);
         self.paths.note(vec![ends[0], vertex, ends[1]]);
         let halves = ends.map(|end| Piece {

@@ -17,8 +17,11 @@ pub(super) struct Crossed {
     /// The vertices that have been laid from the first end on, and those to the second end.
     pub(super) before: Vec<VertexId>,
     pub(super) after: Vec<VertexId>,
-    /// One side of the edge.
-    pub(super) barrier: HalfEdgeId,
+    /// The ends of the edge. More segments may be laid before it is asked about, so its half-edges are not noted: they
+    /// get other numbers then.
+    pub(super) edge: [VertexId; 2],
+    /// The segment on the edge.
+    pub(super) segment: usize,
 }
 
 impl Crossed {
@@ -63,7 +66,8 @@ impl Constrained2 {
                     return Err(Crossed {
                         before,
                         after,
-                        barrier,
+                        edge: [self.mesh.origin(barrier), self.mesh.target(barrier)],
+                        segment: self.labels[barrier.index()] as usize - 1,
                     });
                 }
             }
