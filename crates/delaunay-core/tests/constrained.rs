@@ -10,6 +10,7 @@ use delaunay_core::{
 };
 use glam::DVec2;
 use proptest::prelude::*;
+use std::collections::BTreeSet;
 
 fn ids(segments: &[[usize; 2]]) -> Vec<[VertexId; 2]> {
     let named = segments.iter().map(|ends| ends.map(VertexId::new));
@@ -29,15 +30,18 @@ fn build_with(
     Constrained2::build(points, &ids(segments), crossings, options, &mut silent)
 }
 
-/// Checks the triangulation and that each segment is a chain of constrained edges along the straight way.
+/// Checks the triangulation, that each segment is a chain of constrained edges along the straight way, and that there are no
+/// other constrained edges.
 fn check(constrained: &Constrained2, segments: &[[usize; 2]]) {
     assert_eq!(constrained.check(), Ok(()));
+    let mut on_chains = BTreeSet::new();
     for ends in ids(segments) {
         let chain = constrained.chain(ends).unwrap();
         let mesh = constrained.mesh();
         for pair in chain.windows(2) {
             let h = mesh.find_half_edge(pair[0], pair[1]).unwrap();
             assert!(constrained.is_constrained(h), "{ends:?} at {pair:?}");
+            on_chains.insert(h.min(mesh.twin(h)));
         }
         let [start, end] = ends.map(|v| constrained.point(v));
         let along = (end - start).normalize();
@@ -49,6 +53,7 @@ fn check(constrained: &Constrained2, segments: &[[usize; 2]]) {
             );
         }
     }
+    assert!(constrained.constrained_edges().eq(on_chains));
 }
 
 /// Points near each other, on a coarse grid, or anywhere in the unit square.
@@ -219,6 +224,25 @@ fn segments_through_all_vertices_of_a_lattice() {
     // The diagonals meet in the middle of a square, where no vertex was.
     assert_eq!(lengths.collect::<Vec<_>>(), [21, 21, 20, 20, 20]);
     assert_eq!(constrained.points().len(), 401);
+}
+
+#[test]
+fn segments_over_each_other_are_divided_together() {
+    // On a coarse lattice many segments overlap, and most meet where no vertex is and rounding leads off them.
+    let side = 6;
+    let places = (0..side * side).map(|i| DVec2::new((i % side) as f64, (i / side) as f64));
+    let points: Vec<DVec2> = places.collect();
+    let random = scattered(60);
+    let ends = random.iter().map(|p| {
+        let [a, b] = p.to_array();
+        [a, b].map(|share| (share * points.len() as f64) as usize)
+    });
+    let segments: Vec<[usize; 2]> = ends.filter(|[a, b]| a != b).collect();
+    for count in 1..=segments.len() {
+        let segments = &segments[..count];
+        let divided = build_with(&points, segments, Crossings::Divide { at_most: 5000 });
+        check(&divided.unwrap(), segments);
+    }
 }
 
 #[test]

@@ -90,6 +90,8 @@ impl Constrained2 {
         for number in self.near_each_other(segments) {
             let ends = segments[number].map(|v| self.vertex_at(v));
             if let Err(crossed) = self.lay(ends, label(number), 0) {
+                // What is laid is a part of it, too, however the rest is divided.
+                self.paths.note(crossed.path());
                 blocked.push((number, crossed));
             }
             meter.advance()?;

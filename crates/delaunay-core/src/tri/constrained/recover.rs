@@ -30,12 +30,18 @@ impl Crossed {
         let [before, after] = [self.before.last(), self.after.first()];
         [before, after].map(|v| v.copied().unwrap_or(VertexId::GHOST))
     }
+
+    /// What has been laid and the way between.
+    pub(super) fn path(&self) -> Vec<VertexId> {
+        [self.before.as_slice(), &self.after].concat()
+    }
 }
 
 impl Constrained2 {
     /// Makes the straight way between two vertices edges with label `label`, up to an edge that a segment lies on.
     ///
-    /// What has been laid when the way is blocked stays.
+    /// What has been laid when the way is blocked stays. Where the way leads over one that has been divided, that one is
+    /// taken as it is.
     pub(super) fn lay(
         &mut self,
         ends: [VertexId; 2],
@@ -53,8 +59,11 @@ impl Constrained2 {
             };
             let reached = match ahead {
                 Ahead::Along(h) => {
-                    self.put_label(h, label);
-                    Ok(self.mesh.target(h))
+                    let end = self.mesh.target(h);
+                    if !self.paths.lead_over_others([from, end]) {
+                        self.put_label(h, label);
+                    }
+                    Ok(end)
                 }
                 Ahead::Across(first) => self.cross([from, to], first, label, depth),
             };
@@ -103,7 +112,9 @@ impl Constrained2 {
         let result = match met {
             End::Barrier(barrier) => Err(barrier),
             End::Vertex(reached) => {
-                self.fill_corridor(&corridor, label, depth);
+                if !self.paths.lead_over_others([start, reached]) {
+                    self.fill_corridor(&corridor, label, depth);
+                }
                 Ok(reached)
             }
         };
