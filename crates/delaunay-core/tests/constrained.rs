@@ -246,6 +246,32 @@ fn segments_over_each_other_are_divided_together() {
 }
 
 #[test]
+fn what_is_refused_and_what_is_divided_does_not_depend_on_threads() {
+    let points = scattered(20_000);
+    let near = |i: usize| {
+        points
+            .iter()
+            .position(|p| *p != points[i] && p.distance(points[i]) < 0.05)
+    };
+    let segments: Vec<[usize; 2]> = (0..2000).filter_map(|i| Some([i, near(i)?])).collect();
+    let on_threads = |threads, crossings| {
+        let options = BuildOptions::on_threads(threads);
+        Constrained2::build(&points, &ids(&segments), crossings, options, &mut silent)
+    };
+    let refused = [1, 2, 3].map(|threads| on_threads(threads, Crossings::Refuse).unwrap_err());
+    check_crossings(&refused[0], &points, &segments);
+    assert_eq!(refused[0], refused[1]);
+    assert_eq!(refused[0], refused[2]);
+    let divide = Crossings::Divide { at_most: 100_000 };
+    let divided = [1, 2, 3].map(|threads| on_threads(threads, divide).unwrap());
+    check(&divided[0], &segments);
+    for other in &divided[1..] {
+        assert_eq!(divided[0].points(), other.points());
+        assert_eq!(divided[0].mesh().canonical(), other.mesh().canonical());
+    }
+}
+
+#[test]
 fn the_teeth_of_a_comb_are_crossed_at_once() {
     // The comb's spine hides all teeth from each other but along the base.
     let teeth = 3000;

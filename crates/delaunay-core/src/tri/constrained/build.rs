@@ -4,8 +4,9 @@ use super::divide::{Crossings, Undivided};
 use super::error::{ConstrainError, Crossing};
 use super::recover::Crossed;
 use super::triangulation::Constrained2;
-use crate::ids::{HalfEdgeId, VertexId};
+use crate::ids::VertexId;
 use crate::options::BuildOptions;
+use crate::order::insertion_order;
 use crate::progress::{Meter, Progress};
 use crate::tri::delaunay::Delaunay2;
 use glam::DVec2;
@@ -88,6 +89,7 @@ impl Constrained2 {
     ) -> Result<Vec<(usize, Crossed)>, ConstrainError> {
         let mut blocked = Vec::new();
         for number in self.near_each_other(segments) {
+            let number = number as usize;
             let ends = segments[number].map(|v| self.vertex_at(v));
             if let Err(crossed) = self.lay(ends, label(number), 0) {
                 // What is laid is a part of it, too, however the rest is divided.
@@ -100,15 +102,11 @@ impl Constrained2 {
         Ok(blocked)
     }
 
-    /// The numbers of the segments in an order that keeps neighbours together: that of faces, which lie along a curve.
-    fn near_each_other(&self, segments: &[[VertexId; 2]]) -> Vec<usize> {
-        let home = |&[start, _]: &[VertexId; 2]| {
-            let outgoing = self.mesh.outgoing(self.vertex_at(start));
-            outgoing.map_or(0, HalfEdgeId::index)
-        };
-        let mut homes: Vec<(usize, usize)> = segments.iter().map(home).zip(0..).collect();
-        homes.sort_unstable();
-        homes.into_iter().map(|(_, number)| number).collect()
+    /// The numbers of the segments in an order that keeps neighbours together. It depends on points alone, as which segments
+    /// are in the way of which depends on it; faces have other numbers on more threads.
+    fn near_each_other(&self, segments: &[[VertexId; 2]]) -> Vec<u32> {
+        let starts = segments.iter().map(|&[start, _]| self.point(start));
+        insertion_order(&starts.collect::<Vec<DVec2>>())
     }
 
     fn divide_all(
