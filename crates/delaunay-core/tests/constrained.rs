@@ -5,12 +5,13 @@
 use delaunay_core::geo_predicates::{Sign, orient2d};
 use delaunay_core::progress::silent;
 use delaunay_core::{
-    BuildOptions, Cavity, ConstrainError, Constrained2, Crossings, HalfEdgeId, VertexId,
-    segments_cross,
+    BuildError, BuildOptions, Cavity, ConstrainError, Constrained2, Crossings, HalfEdgeId,
+    VertexId, segments_cross,
 };
 use glam::DVec2;
 use proptest::prelude::*;
 use std::collections::BTreeSet;
+use std::ops::ControlFlow;
 
 fn ids(segments: &[[usize; 2]]) -> Vec<[VertexId; 2]> {
     let named = segments.iter().map(|ends| ends.map(VertexId::new));
@@ -269,6 +270,66 @@ fn what_is_refused_and_what_is_divided_does_not_depend_on_threads() {
         assert_eq!(divided[0].points(), other.points());
         assert_eq!(divided[0].mesh().canonical(), other.mesh().canonical());
     }
+}
+
+#[test]
+fn divisions_can_be_stopped() {
+    // A few segments, and thousands of places where they cross.
+    let lines = 70;
+    let ends = (0..lines).flat_map(|i| {
+        let at = f64::from(i) + 0.5;
+        let far = f64::from(lines);
+        [[0.0, at], [far, at], [at, 0.0], [at, far]].map(DVec2::from)
+    });
+    let points: Vec<DVec2> = ends.collect();
+    let segments: Vec<[usize; 2]> = (0..points.len() / 2).map(|i| [2 * i, 2 * i + 1]).collect();
+    let mut reports = Vec::new();
+    let stopped = Constrained2::build(
+        &points,
+        &ids(&segments),
+        Crossings::Divide { at_most: 10_000 },
+        BuildOptions::default(),
+        &mut |progress| {
+            assert!(progress.done <= progress.total);
+            reports.push((progress.stage, progress.done));
+            match progress.done {
+                0 => ControlFlow::Continue(()),
+                _ => ControlFlow::Break(()),
+            }
+        },
+    );
+    assert!(matches!(
+        stopped,
+        Err(ConstrainError::Build(BuildError::Cancelled(_)))
+    ));
+    assert_eq!(reports.last(), Some(&("divide segments", 4096)));
+}
+
+#[test]
+fn any_number_of_a_segment_and_any_seed_get_an_answer() {
+    let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(DVec2::from);
+    let mut square = build(&points, &[]).unwrap();
+    let sides = [[0, 1], [1, 2], [2, 3], [3, 0]];
+    for (ends, number) in ids(&sides)
+        .into_iter()
+        .zip([7, u32::MAX as usize, usize::MAX, 0])
+    {
+        square.add_segment(number, ends).unwrap();
+    }
+    check(&square, &sides);
+    let on = |ends: [usize; 2]| {
+        let [a, b] = ends.map(VertexId::new);
+        square.segment_of(square.mesh().find_half_edge(a, b).unwrap())
+    };
+    let most = u32::MAX as usize - 1;
+    assert_eq!(sides.map(on), [7, most, most, 0].map(Some));
+    let components = square.components(&mut silent).unwrap();
+    let seeds = [DVec2::ONE, DVec2::new(f64::NAN, 1.0)];
+    let error = square.parts_at(&components, &seeds).unwrap_err();
+    assert!(
+        error.to_string().starts_with("point 1 has x = NaN"),
+        "{error}"
+    );
 }
 
 #[test]

@@ -66,11 +66,12 @@ impl Constrained2 {
 
     /// Makes the straight way between two vertices a segment with this number.
     ///
-    /// Vertices on the way divide it. Takes the time that [`build`](Self::build) takes for one segment.
+    /// Vertices on the way divide it. Takes the time that [`build`](Self::build) takes for one segment. Numbers have 32 bits: those
+    /// from 2^32 - 2 on count as that.
     ///
     /// # Errors
-    /// As [`build`](Self::build) for a segment that is none; and [`ConstrainError::Crossing`] for the first segment in its way; what
-    /// is before that is laid.
+    /// As [`build`](Self::build) for a segment that is none; and [`ConstrainError::Crossing`] for the first segment in its way; the
+    /// way is laid from both ends up to those in its way then.
     pub fn add_segment(
         &mut self,
         number: usize,
@@ -120,15 +121,15 @@ impl Constrained2 {
         let mut left = limit;
         for (number, _) in blocked {
             let ends = segments[*number].map(|v| self.vertex_at(v));
-            self.lay_dividing(ends, label(*number), &mut left).map_err(
-                |undivided| match undivided {
+            self.lay_dividing(ends, label(*number), &mut left, &mut meter)
+                .map_err(|undivided| match undivided {
+                    Undivided::Cancelled(cancelled) => cancelled.into(),
                     Undivided::OutOfDivisions => ConstrainError::TooManyDivisions { limit },
                     Undivided::TooClose(other) => ConstrainError::TooClose {
                         first: other.min(*number),
                         second: other.max(*number),
                     },
-                },
-            )?;
+                })?;
             meter.advance()?;
         }
         Ok(())
@@ -150,7 +151,7 @@ impl Constrained2 {
 }
 
 fn label(number: usize) -> u32 {
-    u32::try_from(number + 1).unwrap_or(u32::MAX)
+    u32::try_from(number.saturating_add(1)).unwrap_or(u32::MAX)
 }
 
 fn check_ends(points: &[DVec2], segments: &[[VertexId; 2]]) -> Result<(), ConstrainError> {

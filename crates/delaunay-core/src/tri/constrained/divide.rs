@@ -15,6 +15,7 @@
 use super::recover::Crossed;
 use super::triangulation::Constrained2;
 use crate::ids::{HalfEdgeId, VertexId};
+use crate::progress::{Cancelled, Meter};
 use crate::tri::insert::Inserted;
 use geo_predicates::{Sign, check_point2, in_diametral_circle};
 use glam::DVec2;
@@ -46,15 +47,18 @@ pub(super) enum Undivided {
     OutOfDivisions,
     /// It meets an edge of this segment where no vertex has room.
     TooClose(usize),
+    /// The report closure stopped the work.
+    Cancelled(Cancelled),
 }
 
 impl Constrained2 {
-    /// Lays a segment and divides what it crosses; takes the divisions from `left`.
+    /// Lays a segment and divides what it crosses; takes the divisions from `left`, and each is a step more.
     pub(super) fn lay_dividing(
         &mut self,
         ends: [VertexId; 2],
         label: u32,
         left: &mut usize,
+        meter: &mut Meter<'_>,
     ) -> Result<(), Undivided> {
         let mut pending = vec![Piece { ends, label }];
         while let Some(Piece { ends, label }) = pending.pop() {
@@ -67,6 +71,8 @@ impl Constrained2 {
                 continue;
             };
             *left = left.checked_sub(1).ok_or(Undivided::OutOfDivisions)?;
+            meter.expect(1);
+            meter.advance().map_err(Undivided::Cancelled)?;
             let [start, end] = crossed.way();
             let (vertex, halves) = self.divide(&crossed)?;
             let Crossed { before, after, .. } = crossed;
