@@ -273,6 +273,34 @@ fn what_is_refused_and_what_is_divided_does_not_depend_on_threads() {
 }
 
 #[test]
+fn segments_that_have_been_bent_still_meet_in_one_vertex() {
+    // Three of them go through (2, 5), which the second one misses by a rounding once it has been divided before it.
+    let points = [
+        [0.0, 2.0],
+        [1.0, 6.0],
+        [0.0, 6.0],
+        [6.0, 3.0],
+        [2.0, 0.0],
+        [6.0, 4.0],
+        [1.0, 1.0],
+        [5.0, 2.0],
+        [2.0, 5.0],
+        [5.0, 4.0],
+        [5.0, 3.0],
+        [3.0, 4.0],
+    ]
+    .map(DVec2::from);
+    let segments = [[0, 1], [2, 3], [4, 5], [6, 3], [1, 7], [8, 9]];
+    let divided = build_with(&points, &segments, Crossings::Divide { at_most: 20 }).unwrap();
+    check(&divided, &segments);
+    let through = VertexId::new(8);
+    for ends in [[2, 3], [1, 7]] {
+        let chain = divided.chain(ends.map(VertexId::new)).unwrap();
+        assert!(chain.contains(&through), "{chain:?}");
+    }
+}
+
+#[test]
 fn divisions_can_be_stopped() {
     // A few segments, and thousands of places where they cross.
     let lines = 70;

@@ -51,6 +51,12 @@ pub(super) enum Undivided {
     Cancelled(Cancelled),
 }
 
+/// A place that is nearer to an end than this share of the greatest coordinate is where the end is.
+///
+/// A few roundings. Three segments through one vertex that have been bent elsewhere miss it by a rounding; a vertex where two of
+/// them meet would bend one, so that it meets the third a rounding further, and so on.
+const INDISTINCT: f64 = 16.0 * f64::EPSILON;
+
 impl Constrained2 {
     /// Lays a segment and divides what it crosses; takes the divisions from `left`, and each is a step more.
     pub(super) fn lay_dividing(
@@ -105,8 +111,8 @@ impl Constrained2 {
         Ok((vertex, halves.to_vec()))
     }
 
-    /// A vertex where two ways meet, up to rounding, that may divide those of which it is no end: a new one, or else the end of
-    /// one that is nearest.
+    /// A vertex where two ways meet, up to rounding, that may divide those of which it is no end: a new one, or the end of
+    /// one that is nearest where there is no room for a new one or hardly a difference.
     fn vertex_between(&mut self, way: [VertexId; 2], edge: [VertexId; 2]) -> Option<VertexId> {
         let place = self.meeting(way, edge);
         let divides = |p: DVec2, ends: [VertexId; 2]| {
@@ -118,7 +124,12 @@ impl Constrained2 {
         let known = ends.filter(|&v| is_between(self.point(v)));
         let distance = |v: &VertexId| self.point(*v).distance_squared(place);
         let nearest = known.min_by(|v, w| distance(v).total_cmp(&distance(w)));
-        if nearest.is_some_and(|v| self.point(v) == place) || !is_between(place) {
+        let reach = edge.into_iter().chain(way);
+        let reach = reach.fold(0.0, |most: f64, v| {
+            most.max(self.point(v).abs().max_element())
+        });
+        let is_at = |v: VertexId| self.point(v).distance(place) <= INDISTINCT * reach;
+        if nearest.is_some_and(is_at) || !is_between(place) {
             return nearest;
         }
         match self.insert_near(place, edge[0]) {
