@@ -93,6 +93,11 @@ impl<'a> Meter<'a> {
         Ok(())
     }
 
+    /// Takes note of steps that turn out to be needed beyond those known of.
+    pub fn expect(&mut self, more: usize) {
+        self.progress.total += more;
+    }
+
     /// Counts all steps up to `done`, however many they are, and reports.
     ///
     /// # Errors

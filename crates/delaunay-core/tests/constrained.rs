@@ -5,11 +5,13 @@
 use delaunay_core::geo_predicates::{Sign, orient2d};
 use delaunay_core::progress::silent;
 use delaunay_core::{
-    BuildOptions, Cavity, ConstrainError, Constrained2, Crossings, HalfEdgeId, VertexId,
-    segments_cross,
+    BuildError, BuildOptions, Cavity, ConstrainError, Constrained2, Crossings, HalfEdgeId,
+    VertexId, segments_cross,
 };
 use glam::DVec2;
 use proptest::prelude::*;
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
 
 fn ids(segments: &[[usize; 2]]) -> Vec<[VertexId; 2]> {
     let named = segments.iter().map(|ends| ends.map(VertexId::new));
@@ -29,15 +31,18 @@ fn build_with(
     Constrained2::build(points, &ids(segments), crossings, options, &mut silent)
 }
 
-/// Checks the triangulation and that each segment is a chain of constrained edges along the straight way.
+/// Checks the triangulation, that each segment is a chain of constrained edges along the straight way, and that there are no
+/// other constrained edges.
 fn check(constrained: &Constrained2, segments: &[[usize; 2]]) {
     assert_eq!(constrained.check(), Ok(()));
+    let mut on_chains = BTreeSet::new();
     for ends in ids(segments) {
         let chain = constrained.chain(ends).unwrap();
         let mesh = constrained.mesh();
         for pair in chain.windows(2) {
             let h = mesh.find_half_edge(pair[0], pair[1]).unwrap();
             assert!(constrained.is_constrained(h), "{ends:?} at {pair:?}");
+            on_chains.insert(h.min(mesh.twin(h)));
         }
         let [start, end] = ends.map(|v| constrained.point(v));
         let along = (end - start).normalize();
@@ -49,6 +54,7 @@ fn check(constrained: &Constrained2, segments: &[[usize; 2]]) {
             );
         }
     }
+    assert!(constrained.constrained_edges().eq(on_chains));
 }
 
 /// Points near each other, on a coarse grid, or anywhere in the unit square.
@@ -79,6 +85,21 @@ fn without_crossings(points: &[DVec2], segments: &[[usize; 2]]) -> Vec<[usize; 2
         }
     }
     kept
+}
+
+/// Checks that the segments that an error names cross where it says.
+fn check_crossings(error: &ConstrainError, points: &[DVec2], segments: &[[usize; 2]]) {
+    let ConstrainError::Crossing { crossings } = error else {
+        panic!("{error}");
+    };
+    for crossing in crossings {
+        let pair = crossing.segments.map(|s| segments[s].map(|v| points[v]));
+        assert!(segments_cross(pair[0], pair[1]), "{crossing:?}");
+        for [a, b] in pair {
+            let off = (b - a).normalize().perp_dot(crossing.place - a).abs();
+            assert!(off <= 1e-9, "{crossing:?} is {off} off");
+        }
+    }
 }
 
 fn is_on(p: DVec2, [a, b]: [DVec2; 2]) -> bool {
@@ -127,7 +148,11 @@ proptest! {
         };
         check(&constrained, &segments);
         let cross = without_crossings(&points, &segments).len() < segments.len();
-        prop_assert_eq!(build(&points, &segments).is_err(), cross);
+        let refused = build(&points, &segments);
+        prop_assert_eq!(refused.is_err(), cross);
+        if let Err(error) = refused {
+            check_crossings(&error, &points, &segments);
+        }
     }
 }
 
@@ -203,6 +228,139 @@ fn segments_through_all_vertices_of_a_lattice() {
 }
 
 #[test]
+fn segments_over_each_other_are_divided_together() {
+    // On a coarse lattice many segments overlap, and most meet where no vertex is and rounding leads off them.
+    let side = 6;
+    let places = (0..side * side).map(|i| DVec2::new((i % side) as f64, (i / side) as f64));
+    let points: Vec<DVec2> = places.collect();
+    let random = scattered(60);
+    let ends = random.iter().map(|p| {
+        let [a, b] = p.to_array();
+        [a, b].map(|share| (share * points.len() as f64) as usize)
+    });
+    let segments: Vec<[usize; 2]> = ends.filter(|[a, b]| a != b).collect();
+    for count in 1..=segments.len() {
+        let segments = &segments[..count];
+        let divided = build_with(&points, segments, Crossings::Divide { at_most: 5000 });
+        check(&divided.unwrap(), segments);
+    }
+}
+
+#[test]
+fn what_is_refused_and_what_is_divided_does_not_depend_on_threads() {
+    let points = scattered(20_000);
+    let near = |i: usize| {
+        points
+            .iter()
+            .position(|p| *p != points[i] && p.distance(points[i]) < 0.05)
+    };
+    let segments: Vec<[usize; 2]> = (0..2000).filter_map(|i| Some([i, near(i)?])).collect();
+    let on_threads = |threads, crossings| {
+        let options = BuildOptions::on_threads(threads);
+        Constrained2::build(&points, &ids(&segments), crossings, options, &mut silent)
+    };
+    let refused = [1, 2, 3].map(|threads| on_threads(threads, Crossings::Refuse).unwrap_err());
+    check_crossings(&refused[0], &points, &segments);
+    assert_eq!(refused[0], refused[1]);
+    assert_eq!(refused[0], refused[2]);
+    let divide = Crossings::Divide { at_most: 100_000 };
+    let divided = [1, 2, 3].map(|threads| on_threads(threads, divide).unwrap());
+    check(&divided[0], &segments);
+    for other in &divided[1..] {
+        assert_eq!(divided[0].points(), other.points());
+        assert_eq!(divided[0].mesh().canonical(), other.mesh().canonical());
+    }
+}
+
+#[test]
+fn segments_that_have_been_bent_still_meet_in_one_vertex() {
+    // Three of them go through (2, 5), which the second one misses by a rounding once it has been divided before it.
+    let points = [
+        [0.0, 2.0],
+        [1.0, 6.0],
+        [0.0, 6.0],
+        [6.0, 3.0],
+        [2.0, 0.0],
+        [6.0, 4.0],
+        [1.0, 1.0],
+        [5.0, 2.0],
+        [2.0, 5.0],
+        [5.0, 4.0],
+        [5.0, 3.0],
+        [3.0, 4.0],
+    ]
+    .map(DVec2::from);
+    let segments = [[0, 1], [2, 3], [4, 5], [6, 3], [1, 7], [8, 9]];
+    let divided = build_with(&points, &segments, Crossings::Divide { at_most: 20 }).unwrap();
+    check(&divided, &segments);
+    let through = VertexId::new(8);
+    for ends in [[2, 3], [1, 7]] {
+        let chain = divided.chain(ends.map(VertexId::new)).unwrap();
+        assert!(chain.contains(&through), "{chain:?}");
+    }
+}
+
+#[test]
+fn divisions_can_be_stopped() {
+    // A few segments, and thousands of places where they cross.
+    let lines = 70;
+    let ends = (0..lines).flat_map(|i| {
+        let at = f64::from(i) + 0.5;
+        let far = f64::from(lines);
+        [[0.0, at], [far, at], [at, 0.0], [at, far]].map(DVec2::from)
+    });
+    let points: Vec<DVec2> = ends.collect();
+    let segments: Vec<[usize; 2]> = (0..points.len() / 2).map(|i| [2 * i, 2 * i + 1]).collect();
+    let mut reports = Vec::new();
+    let stopped = Constrained2::build(
+        &points,
+        &ids(&segments),
+        Crossings::Divide { at_most: 10_000 },
+        BuildOptions::default(),
+        &mut |progress| {
+            assert!(progress.done <= progress.total);
+            reports.push((progress.stage, progress.done));
+            match progress.done {
+                0 => ControlFlow::Continue(()),
+                _ => ControlFlow::Break(()),
+            }
+        },
+    );
+    assert!(matches!(
+        stopped,
+        Err(ConstrainError::Build(BuildError::Cancelled(_)))
+    ));
+    assert_eq!(reports.last(), Some(&("divide segments", 4096)));
+}
+
+#[test]
+fn any_number_of_a_segment_and_any_seed_get_an_answer() {
+    let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(DVec2::from);
+    let mut square = build(&points, &[]).unwrap();
+    let sides = [[0, 1], [1, 2], [2, 3], [3, 0]];
+    for (ends, number) in ids(&sides)
+        .into_iter()
+        .zip([7, u32::MAX as usize, usize::MAX, 0])
+    {
+        square.add_segment(number, ends).unwrap();
+    }
+    check(&square, &sides);
+    let on = |ends: [usize; 2]| {
+        let [a, b] = ends.map(VertexId::new);
+        square.segment_of(square.mesh().find_half_edge(a, b).unwrap())
+    };
+    let most = u32::MAX as usize - 1;
+    assert_eq!(sides.map(on), [7, most, most, 0].map(Some));
+    let components = square.components(&mut silent).unwrap();
+    let seeds = [DVec2::ONE, DVec2::new(f64::NAN, 1.0)];
+    let error = square.parts_at(&components, &seeds).unwrap_err();
+    assert!(
+        error.to_string().starts_with("point 1 has x = NaN"),
+        "{error}"
+    );
+}
+
+#[test]
 fn the_teeth_of_a_comb_are_crossed_at_once() {
     // The comb's spine hides all teeth from each other but along the base.
     let teeth = 3000;
@@ -262,6 +420,37 @@ fn defects_are_named() {
     insta::assert_snapshot!(error(&[[0, 2], [4, 3]]), @"segments 0 and 1 cross near (2, 2)");
     let divided = build_with(&points, &[[0, 2], [4, 3]], Crossings::Divide { at_most: 0 });
     insta::assert_snapshot!(divided.unwrap_err(), @"segments cross in more than the 0 places allowed");
+}
+
+#[test]
+fn the_segments_that_an_error_names_cross() {
+    // Segments laid after one that is refused give new numbers to the edges in its way.
+    let points = [
+        [4.0, 2.0],
+        [1.0, 2.0],
+        [3.0, 2.0],
+        [0.0, 4.0],
+        [4.0, 1.0],
+        [4.0, 0.0],
+        [3.0, 3.0],
+        [0.0, 1.0],
+    ]
+    .map(DVec2::from);
+    let segments = [
+        [0, 1],
+        [6, 7],
+        [7, 1],
+        [1, 2],
+        [2, 7],
+        [3, 5],
+        [3, 2],
+        [6, 5],
+        [5, 4],
+        [0, 6],
+        [3, 4],
+    ];
+    let error = build(&points, &segments).unwrap_err();
+    check_crossings(&error, &points, &segments);
 }
 
 #[test]

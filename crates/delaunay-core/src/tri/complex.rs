@@ -224,6 +224,9 @@ impl Complex2 {
 
     /// Turns the edge of `h` into the other diagonal of its quadrilateral when it is inside and the quadrilateral is strictly
     /// convex; gives the sides of the quadrilateral then, from inside. The two triangles keep their ids.
+    ///
+    /// # Panics
+    /// When there is no half-edge `h`.
     pub fn flip(&mut self, h: HalfEdgeId) -> Option<[HalfEdgeId; 4]> {
         let t = self.mesh.twin(h);
         let corners = [
@@ -242,6 +245,9 @@ impl Complex2 {
 
     /// Makes `p` a vertex when it is strictly inside the triangle `f`, which gives way to three. `None`, with nothing changed,
     /// when it is not or ids run out.
+    ///
+    /// # Panics
+    /// When there is no face `f`.
     pub fn insert(&mut self, p: DVec2, f: FaceId) -> Option<VertexId> {
         let has_room = self.mesh.face_count() + 2 <= FaceId::LIMIT
             && self.coords.len() <= Delaunay2::MAX_POINTS;
@@ -282,28 +288,22 @@ impl Complex2 {
 
     /// Removes a vertex inside: its edges are flipped away, those first that cut off the best triangles, until three are left.
     ///
-    /// `None`, with the same triangles as before, when `v` is not inside or its star can not be filled so. Faces move as in
-    /// [`Refilled`].
+    /// `None`, with nothing changed, when `v` is not inside. Faces move as in [`Refilled`]. Takes time proportional to the square of
+    /// the degree of `v`.
+    ///
+    /// There is always an edge to flip. The link has three convex corners at least, and of four corners or more two of these are
+    /// not neighbours. The angles at `v` between the two neighbours of each do not overlap, so one of them is half a turn at
+    /// most, and less with five corners or more, which leave a part of the turn over.
     pub fn remove(&mut self, v: VertexId) -> Option<Refilled> {
         if !self.is_inner(v) {
             return None;
         }
-        let mut flipped = Vec::new();
         while self.mesh.around(v).nth(3).is_some() {
-            let Some(h) = self.best_ear(v) else {
-                self.flip_back(&flipped);
-                return None;
-            };
-            let sides = self.mesh.flip(h);
-            flipped.push(sides[0].next());
+            let ear = self.best_ear(v);
+            debug_assert!(ear.is_some(), "{v} sees all of its link from inside");
+            let _ = self.mesh.flip(ear?);
         }
-        let link: Vec<HalfEdgeId> = self.mesh.link(v).collect();
-        let corners = [link[0], link[1], link[2]].map(|h| self.mesh.origin(h));
-        if !self.is_counterclockwise(corners.map(|v| self.point(v))) {
-            self.flip_back(&flipped);
-            return None;
-        }
-        Some(self.close_triangle(v, corners, &link))
+        Some(self.close_triangle(v))
     }
 
     /// Of the edges at `v` that can be flipped one whose flip cuts off the best triangle. With four left, the two that stay
@@ -327,20 +327,10 @@ impl Complex2 {
         ears.max_by(|(q, _), (r, _)| q.total_cmp(r)).map(|(_, h)| h)
     }
 
-    /// Undoes flips, the last first; each is given by a half-edge of the diagonal that it made.
-    fn flip_back(&mut self, flipped: &[HalfEdgeId]) {
-        for &h in flipped.iter().rev() {
-            let _ = self.mesh.flip(h);
-        }
-    }
-
     /// Replaces the three triangles round `v` by one.
-    fn close_triangle(
-        &mut self,
-        v: VertexId,
-        corners: [VertexId; 3],
-        link: &[HalfEdgeId],
-    ) -> Refilled {
+    fn close_triangle(&mut self, v: VertexId) -> Refilled {
+        let link: Vec<HalfEdgeId> = self.mesh.link(v).collect();
+        let corners = [link[0], link[1], link[2]].map(|h| self.mesh.origin(h));
         let outer = [link[0], link[1], link[2]].map(|h| self.mesh.twin(h));
         let slots = [link[0], link[1], link[2]].map(HalfEdgeId::face);
         self.mesh.faces[slots[0].index()].origin = corners;

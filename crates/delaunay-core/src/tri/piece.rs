@@ -151,8 +151,10 @@ impl Complex2 {
                 .for_each(|h| self.mesh_mut().set_outgoing(h));
         }
         for &([a, b], outer) in &piece.rim {
-            let here = changed.mesh().find_half_edge(a, b).and_then(there);
-            if let Some(here) = here {
+            // Along a cut a ghost has a half-edge with these ends, too.
+            let leaving = changed.mesh().around(a);
+            let mut here = leaving.filter(|&h| changed.mesh().target(h) == b);
+            if let Some(here) = here.find_map(there) {
                 self.mesh_mut().glue(here, outer);
             }
         }

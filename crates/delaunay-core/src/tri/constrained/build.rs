@@ -4,8 +4,9 @@ use super::divide::{Crossings, Undivided};
 use super::error::{ConstrainError, Crossing};
 use super::recover::Crossed;
 use super::triangulation::Constrained2;
-use crate::ids::{HalfEdgeId, VertexId};
+use crate::ids::VertexId;
 use crate::options::BuildOptions;
+use crate::order::insertion_order;
 use crate::progress::{Meter, Progress};
 use crate::tri::delaunay::Delaunay2;
 use glam::DVec2;
@@ -65,11 +66,12 @@ impl Constrained2 {
 
     /// Makes the straight way between two vertices a segment with this number.
     ///
-    /// Vertices on the way divide it. Takes the time that [`build`](Self::build) takes for one segment.
+    /// Vertices on the way divide it. Takes the time that [`build`](Self::build) takes for one segment. Numbers have 32 bits: those
+    /// from 2^32 - 2 on count as that.
     ///
     /// # Errors
-    /// As [`build`](Self::build) for a segment that is none; and [`ConstrainError::Crossing`] for the first segment in its way; what
-    /// is before that is laid.
+    /// As [`build`](Self::build) for a segment that is none; and [`ConstrainError::Crossing`] for the first segment in its way; the
+    /// way is laid from both ends up to those in its way then.
     pub fn add_segment(
         &mut self,
         number: usize,
@@ -88,8 +90,11 @@ impl Constrained2 {
     ) -> Result<Vec<(usize, Crossed)>, ConstrainError> {
         let mut blocked = Vec::new();
         for number in self.near_each_other(segments) {
+            let number = number as usize;
             let ends = segments[number].map(|v| self.vertex_at(v));
             if let Err(crossed) = self.lay(ends, label(number), 0) {
+                // What is laid is a part of it, too, however the rest is divided.
+                self.paths.note(crossed.path());
                 blocked.push((number, crossed));
             }
             meter.advance()?;
@@ -98,15 +103,11 @@ impl Constrained2 {
         Ok(blocked)
     }
 
-    /// The numbers of the segments in an order that keeps neighbours together: that of faces, which lie along a curve.
-    fn near_each_other(&self, segments: &[[VertexId; 2]]) -> Vec<usize> {
-        let home = |&[start, _]: &[VertexId; 2]| {
-            let outgoing = self.mesh.outgoing(self.vertex_at(start));
-            outgoing.map_or(0, HalfEdgeId::index)
-        };
-        let mut homes: Vec<(usize, usize)> = segments.iter().map(home).zip(0..).collect();
-        homes.sort_unstable();
-        homes.into_iter().map(|(_, number)| number).collect()
+    /// The numbers of the segments in an order that keeps neighbours together. It depends on points alone, as which segments
+    /// are in the way of which depends on it; faces have other numbers on more threads.
+    fn near_each_other(&self, segments: &[[VertexId; 2]]) -> Vec<u32> {
+        let starts = segments.iter().map(|&[start, _]| self.point(start));
+        insertion_order(&starts.collect::<Vec<DVec2>>())
     }
 
     fn divide_all(
@@ -120,15 +121,15 @@ impl Constrained2 {
         let mut left = limit;
         for (number, _) in blocked {
             let ends = segments[*number].map(|v| self.vertex_at(v));
-            self.lay_dividing(ends, label(*number), &mut left).map_err(
-                |undivided| match undivided {
+            self.lay_dividing(ends, label(*number), &mut left, &mut meter)
+                .map_err(|undivided| match undivided {
+                    Undivided::Cancelled(cancelled) => cancelled.into(),
                     Undivided::OutOfDivisions => ConstrainError::TooManyDivisions { limit },
                     Undivided::TooClose(other) => ConstrainError::TooClose {
                         first: other.min(*number),
                         second: other.max(*number),
                     },
-                },
-            )?;
+                })?;
             meter.advance()?;
         }
         Ok(())
@@ -137,12 +138,10 @@ impl Constrained2 {
     /// The error that names segments and those in their ways.
     fn crossings(&self, blocked: &[(usize, Crossed)]) -> ConstrainError {
         let crossing = |(number, crossed): &(usize, Crossed)| {
-            let h = crossed.barrier;
-            let other = self.segment_of(h).unwrap_or(*number);
-            let ends = [self.mesh.origin(h), self.mesh.target(h)];
+            let other = crossed.segment;
             Crossing {
                 segments: [other.min(*number), other.max(*number)],
-                place: self.meeting(crossed.way(), ends),
+                place: self.meeting(crossed.way(), crossed.edge),
             }
         };
         let mut crossings: Vec<Crossing> = blocked.iter().map(crossing).collect();
@@ -152,7 +151,7 @@ impl Constrained2 {
 }
 
 fn label(number: usize) -> u32 {
-    u32::try_from(number + 1).unwrap_or(u32::MAX)
+    u32::try_from(number.saturating_add(1)).unwrap_or(u32::MAX)
 }
 
 fn check_ends(points: &[DVec2], segments: &[[VertexId; 2]]) -> Result<(), ConstrainError> {

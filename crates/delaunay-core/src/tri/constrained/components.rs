@@ -12,7 +12,7 @@ use super::triangulation::Constrained2;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
 use crate::progress::{Cancelled, Meter, Progress};
 use crate::tri::locate::Location;
-use geo_predicates::CoordinateError;
+use geo_predicates::{CoordinateError, check_point2};
 use glam::DVec2;
 use std::ops::ControlFlow;
 use thiserror::Error;
@@ -138,6 +138,7 @@ impl Constrained2 {
         let mut near = VertexId::GHOST;
         let numbered = seeds.iter().enumerate();
         let part = |(seed, &place): (usize, &DVec2)| {
+            check_point2(seed, place)?;
             let location = self.locate_near(place, near)?;
             let face = self.face_at(location, seed, place)?;
             near = self.mesh.face_vertices(face)[0];

@@ -15,6 +15,7 @@
 use super::recover::Crossed;
 use super::triangulation::Constrained2;
 use crate::ids::{HalfEdgeId, VertexId};
+use crate::progress::{Cancelled, Meter};
 use crate::tri::insert::Inserted;
 use geo_predicates::{Sign, check_point2, in_diametral_circle};
 use glam::DVec2;
@@ -46,15 +47,24 @@ pub(super) enum Undivided {
     OutOfDivisions,
     /// It meets an edge of this segment where no vertex has room.
     TooClose(usize),
+    /// The report closure stopped the work.
+    Cancelled(Cancelled),
 }
 
+/// A place that is nearer to an end than this share of the greatest coordinate is where the end is.
+///
+/// A few roundings. Three segments through one vertex that have been bent elsewhere miss it by a rounding; a vertex where two of
+/// them meet would bend one, so that it meets the third a rounding further, and so on.
+const INDISTINCT: f64 = 16.0 * f64::EPSILON;
+
 impl Constrained2 {
-    /// Lays a segment and divides what it crosses; takes the divisions from `left`.
+    /// Lays a segment and divides what it crosses; takes the divisions from `left`, and each is a step more.
     pub(super) fn lay_dividing(
         &mut self,
         ends: [VertexId; 2],
         label: u32,
         left: &mut usize,
+        meter: &mut Meter<'_>,
     ) -> Result<(), Undivided> {
         let mut pending = vec![Piece { ends, label }];
         while let Some(Piece { ends, label }) = pending.pop() {
@@ -67,6 +77,8 @@ impl Constrained2 {
                 continue;
             };
             *left = left.checked_sub(1).ok_or(Undivided::OutOfDivisions)?;
+            meter.expect(1);
+            meter.advance().map_err(Undivided::Cancelled)?;
             let [start, end] = crossed.way();
             let (vertex, halves) = self.divide(&crossed)?;
             let Crossed { before, after, .. } = crossed;
@@ -79,9 +91,8 @@ impl Constrained2 {
 
     /// Finds or makes the vertex where a way and an edge meet; gives it and what has to be laid anew of the edge.
     fn divide(&mut self, crossed: &Crossed) -> Result<(VertexId, Vec<Piece>), Undivided> {
-        let label = self.labels[crossed.barrier.index()];
-        let ends = [crossed.barrier, self.mesh.twin(crossed.barrier)].map(|h| self.mesh.origin(h));
-        let too_close = Undivided::TooClose(label as usize - 1);
+        let ends = crossed.edge;
+        let too_close = Undivided::TooClose(crossed.segment);
         let vertex = self.vertex_between(crossed.way(), ends).ok_or(too_close)?;
         if ends.contains(&vertex) {
             return Ok((vertex, Vec::new()));
@@ -90,6 +101,7 @@ impl Constrained2 {
             // The new vertex is on the edge exactly, which has been divided with it.
             return Ok((vertex, Vec::new()));
         };
+        let label = self.labels[h.index()];
         self.release(h);
         self.paths.note(vec![ends[0], vertex, ends[1]]);
         let halves = ends.map(|end| Piece {
@@ -99,8 +111,8 @@ impl Constrained2 {
         Ok((vertex, halves.to_vec()))
     }
 
-    /// A vertex where two ways meet, up to rounding, that may divide those of which it is no end: a new one, or else the end of
-    /// one that is nearest.
+    /// A vertex where two ways meet, up to rounding, that may divide those of which it is no end: a new one, or the end of
+    /// one that is nearest where there is no room for a new one or hardly a difference.
     fn vertex_between(&mut self, way: [VertexId; 2], edge: [VertexId; 2]) -> Option<VertexId> {
         let place = self.meeting(way, edge);
         let divides = |p: DVec2, ends: [VertexId; 2]| {
@@ -112,7 +124,12 @@ impl Constrained2 {
         let known = ends.filter(|&v| is_between(self.point(v)));
         let distance = |v: &VertexId| self.point(*v).distance_squared(place);
         let nearest = known.min_by(|v, w| distance(v).total_cmp(&distance(w)));
-        if nearest.is_some_and(|v| self.point(v) == place) || !is_between(place) {
+        let reach = edge.into_iter().chain(way);
+        let reach = reach.fold(0.0, |most: f64, v| {
+            most.max(self.point(v).abs().max_element())
+        });
+        let is_at = |v: VertexId| self.point(v).distance(place) <= INDISTINCT * reach;
+        if nearest.is_some_and(is_at) || !is_between(place) {
             return nearest;
         }
         match self.insert_near(place, edge[0]) {

@@ -44,7 +44,7 @@ pub enum ConstrainError {
     /// Segments cross, and that is refused.
     #[error("{}", crossings_text(.crossings))]
     Crossing {
-        /// In order, at least one; of each segment that is in the way of another one, the first place where it is.
+        /// In order, at least one: for each segment that could not be laid, the first that was in its way from its first end on.
         crossings: Vec<Crossing>,
     },
     /// Two segments cross, and there is no place for a vertex there in rounded numbers.

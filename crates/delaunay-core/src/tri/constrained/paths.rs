@@ -32,6 +32,11 @@ impl Paths {
         self.between.entry(key).or_insert(between);
     }
 
+    /// Whether the way between two vertices is known to be more than an edge.
+    pub(super) fn lead_over_others(&self, [a, b]: [VertexId; 2]) -> bool {
+        self.between.contains_key(&[a.min(b), a.max(b)])
+    }
+
     /// The path between two vertices, both included, from the first one on; `None` when the way is an edge or unknown.
     pub(super) fn path(&self, [a, b]: [VertexId; 2]) -> Option<Vec<VertexId>> {
         let between = self.between.get(&[a.min(b), a.max(b)])?;

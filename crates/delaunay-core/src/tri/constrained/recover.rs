@@ -3,7 +3,7 @@
 //! The triangles that it crosses are taken out, and the polygons on its two sides are triangulated each for itself. Where
 //! a vertex lies on the segment it is divided there, exactly.
 
-use super::ahead::{Ahead, between};
+use super::ahead::{Ahead, Turn, between};
 use super::corridor::{Corridor, End};
 use super::large::LEAST_LARGE;
 use super::pocket::{Pocket, Wall};
@@ -17,8 +17,11 @@ pub(super) struct Crossed {
     /// The vertices that have been laid from the first end on, and those to the second end.
     pub(super) before: Vec<VertexId>,
     pub(super) after: Vec<VertexId>,
-    /// One side of the edge.
-    pub(super) barrier: HalfEdgeId,
+    /// The ends of the edge. More segments may be laid before it is asked about, so its half-edges are not noted: they
+    /// get other numbers then.
+    pub(super) edge: [VertexId; 2],
+    /// The segment on the edge.
+    pub(super) segment: usize,
 }
 
 impl Crossed {
@@ -27,12 +30,18 @@ impl Crossed {
         let [before, after] = [self.before.last(), self.after.first()];
         [before, after].map(|v| v.copied().unwrap_or(VertexId::GHOST))
     }
+
+    /// What has been laid and the way between.
+    pub(super) fn path(&self) -> Vec<VertexId> {
+        [self.before.as_slice(), &self.after].concat()
+    }
 }
 
 impl Constrained2 {
     /// Makes the straight way between two vertices edges with label `label`, up to an edge that a segment lies on.
     ///
-    /// What has been laid when the way is blocked stays.
+    /// What has been laid when the way is blocked stays: all from either end up to the first edge in the way. Where the way
+    /// leads over one that has been divided, that one is taken as it is.
     pub(super) fn lay(
         &mut self,
         ends: [VertexId; 2],
@@ -44,28 +53,14 @@ impl Constrained2 {
             && a != b
         {
             let sight_from = |v: VertexId| self.sight(v);
-            let Some(([from, to], ahead)) = between(&self.mesh, sight_from, [a, b]) else {
+            let Some((way, ahead)) = between(&self.mesh, sight_from, [a, b]) else {
                 debug_assert!(false, "{a} and {b} are vertices");
                 break;
             };
-            let reached = match ahead {
-                Ahead::Along(h) => {
-                    self.put_label(h, label);
-                    Ok(self.mesh.target(h))
-                }
-                Ahead::Across(first) => self.cross([from, to], first, label, depth),
-            };
-            match reached {
-                Ok(vertex) if from == a => before.push(vertex),
+            match self.lay_ahead(way, ahead, label, depth) {
+                Ok(vertex) if way[0] == a => before.push(vertex),
                 Ok(vertex) => after.push(vertex),
-                Err(barrier) => {
-                    after.reverse();
-                    return Err(Crossed {
-                        before,
-                        after,
-                        barrier,
-                    });
-                }
+                Err(_) => return self.lay_to_barriers(before, after, label, depth),
             }
         }
         if before.len() + after.len() > 3 {
@@ -73,6 +68,73 @@ impl Constrained2 {
             self.paths.note([before, after].concat());
         }
         Ok(())
+    }
+
+    /// Makes a way that is blocked edges from both ends up to the barriers. So what is laid and which edge is named depends on
+    /// the segments there are, not on the end from which the way was found to be blocked.
+    fn lay_to_barriers(
+        &mut self,
+        mut before: Vec<VertexId>,
+        mut after: Vec<VertexId>,
+        label: u32,
+        depth: usize,
+    ) -> Result<(), Crossed> {
+        let barrier = self.lay_on(&mut before, &after, label, depth);
+        let crossed = barrier.map(|h| {
+            let edge = [self.mesh.origin(h), self.mesh.target(h)];
+            (edge, self.labels[h.index()] as usize - 1)
+        });
+        self.lay_on(&mut after, &before, label, depth);
+        after.reverse();
+        match crossed {
+            Some((edge, segment)) => Err(Crossed {
+                before,
+                after,
+                edge,
+                segment,
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// Lays the way from the last vertex of `from` towards the last of `to` up to the edge in the way, and gives that.
+    fn lay_on(
+        &mut self,
+        from: &mut Vec<VertexId>,
+        to: &[VertexId],
+        label: u32,
+        depth: usize,
+    ) -> Option<HalfEdgeId> {
+        while let (Some(&a), Some(&b)) = (from.last(), to.last())
+            && a != b
+        {
+            let ahead = Turn::new(&self.mesh, self.sight(b), a).find()?;
+            match self.lay_ahead([a, b], ahead, label, depth) {
+                Ok(vertex) => from.push(vertex),
+                Err(barrier) => return Some(barrier),
+            }
+        }
+        None
+    }
+
+    /// Makes the way from a vertex to the next one on the way an edge; or gives the edge in the way.
+    fn lay_ahead(
+        &mut self,
+        way: [VertexId; 2],
+        ahead: Ahead,
+        label: u32,
+        depth: usize,
+    ) -> Result<VertexId, HalfEdgeId> {
+        match ahead {
+            Ahead::Along(h) => {
+                let end = self.mesh.target(h);
+                if !self.paths.lead_over_others([way[0], end]) {
+                    self.put_label(h, label);
+                }
+                Ok(end)
+            }
+            Ahead::Across(first) => self.cross(way, first, label, depth),
+        }
     }
 
     /// The label of the edge of `h`: the least of those given.
@@ -99,7 +161,9 @@ impl Constrained2 {
         let result = match met {
             End::Barrier(barrier) => Err(barrier),
             End::Vertex(reached) => {
-                self.fill_corridor(&corridor, label, depth);
+                if !self.paths.lead_over_others([start, reached]) {
+                    self.fill_corridor(&corridor, label, depth);
+                }
                 Ok(reached)
             }
         };
