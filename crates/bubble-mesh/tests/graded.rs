@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use bubble_mesh::graded::{GradedError, GradedMesh, GradedParams, Stop, mesh, mesh_sized};
-use bubble_mesh::{Domain, Resampling, radius_ratio, resample};
+use bubble_mesh::{Domain, Resampling, Spacing, radius_ratio, resample};
 use delaunay_core::measure::triangle;
 use delaunay_core::progress::{Progress, silent};
 use delaunay_core::{BuildOptions, Complex2, HalfEdgeId, Outline, TriMesh, VertexId};
@@ -263,4 +263,70 @@ fn sampled_anew(domain: &Domain) -> Domain {
     let anew = anew.expect("a boundary with curves");
     let outline = Outline::new(anew.points, anew.segments).expect("a closed outline");
     Domain::new(&outline, BuildOptions::default(), &mut silent).expect("a region")
+}
+
+/// A loop round a center, with lobes of some depth, whose edges differ in length by a factor of `uneven` at most from one side to the
+/// other and by chance.
+fn lobed(
+    center: DVec2,
+    radius: f64,
+    lobes: (f64, f64),
+    uneven: f64,
+    chances: &[f64],
+) -> Vec<DVec2> {
+    let count = chances.len();
+    let step = |i: usize| {
+        let turn = i as f64 / count as f64 * TAU;
+        uneven.powf(turn.cos() + 0.3 * chances[i])
+    };
+    let total: f64 = (0..count).map(step).sum();
+    let mut sum = 0.0;
+    let node = |i: usize| {
+        sum += step(i);
+        let turn = sum / total * TAU;
+        center + radius * (1.0 + lobes.1 * (lobes.0 * turn).cos()) * DVec2::from_angle(turn)
+    };
+    (0..count).map(node).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+    /// The bound on what is given: where no corner is sharp, no size steep and no gap narrow, no triangle is below 0.7.
+    #[test]
+    fn what_is_poor_has_something_against_it(
+        outer in prop::collection::vec(-1.0..1.0, 12..120),
+        inner in prop::collection::vec(-1.0..1.0, 5..60),
+        lobes in (2.0f64..6.0, 0.0..0.3),
+        uneven in [1.0f64..2.5, 1.0..2.5],
+        hole in (0.0..0.45, 0.05..0.45f64),
+    ) {
+        let lobes = (lobes.0.floor(), lobes.1);
+        let (away, radius) = hole;
+        let loops = [
+            lobed(DVec2::ZERO, 1.0, lobes, uneven[0], &outer),
+            lobed(DVec2::new(0.6 * away, 0.3 * away), 0.6 * radius, (3.0, 0.1), uneven[1], &inner),
+        ];
+        let Some(domain) = regions::try_domain(&loops) else {
+            return Err(TestCaseError::reject("loops that cross"));
+        };
+        let mesh = meshed(&domain);
+        check(&domain, &mesh)?;
+        let spacing = Spacing::of(&domain);
+        for f in mesh.complex.faces() {
+            let corners = mesh.complex.triangle(f);
+            let ratio = radius_ratio(corners);
+            prop_assert!(ratio >= 0.7 || spacing.against(corners).is_some(), "{ratio} at {corners:?}");
+        }
+    }
+}
+
+/// A small fine hole in a coarse region: sizes do not grow faster than they may.
+#[test]
+fn a_hole_much_finer_than_the_rest_has_no_poor_triangle() {
+    let hole = circle(DVec2::new(0.2, 0.1), 0.04, even(24));
+    let domain = domain(&[circle(DVec2::ZERO, 1.0, even(24)), hole]);
+    let mesh = meshed(&domain);
+    check(&domain, &mesh).expect("a valid mesh");
+    let (least, mean) = quality(&mesh.complex);
+    assert!(least > 0.8 && mean > 0.95, "{least} {mean}");
 }

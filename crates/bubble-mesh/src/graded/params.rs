@@ -16,9 +16,8 @@ pub struct GradedParams {
     /// Changes of connectivity that are tried, the worst triangles first; none by default. With a thousand for a thousand nodes
     /// the mean ratio gains about three thousandths, in a tenth of a second.
     pub trials: usize,
-    /// How fast sizes grow with the distance from the boundary; without it, which is usual, sizes inside are means of those of the
-    /// boundary and never exceed its largest.
-    pub grade: Option<f64>,
+    /// How fast sizes may grow with the distance from a boundary node; 0.5, above 0. They are means of the boundary's sizes else.
+    pub grade: f64,
     /// Boundary nodes slide along the smooth curve through them where the boundary turns by at most this angle, in radians; without it,
     /// which is usual, all of them stay where they are.
     pub sliding: Option<f64>,
@@ -33,7 +32,7 @@ impl Default for GradedParams {
             relaxation: 100,
             sweeps: 60,
             trials: 0,
-            grade: None,
+            grade: 0.5,
             sliding: None,
             nodes: 1_000_000,
         }
@@ -86,10 +85,13 @@ impl GradedParams {
     pub(super) fn check(&self) -> Result<(), GradedError> {
         let is_positive = |number: f64| number > 0.0 && number < f64::INFINITY;
         let scale = self.scale;
-        match self.grade.filter(|&grade| !is_positive(grade)) {
-            _ if !is_positive(scale) => Err(GradedError::Scale { scale }),
-            Some(grade) => Err(GradedError::Grade { grade }),
-            None => Ok(()),
+        if !is_positive(scale) {
+            return Err(GradedError::Scale { scale });
+        }
+        let grade = self.grade;
+        match is_positive(grade) {
+            true => Ok(()),
+            false => Err(GradedError::Grade { grade }),
         }
     }
 }

@@ -4,7 +4,8 @@
 //! wherever there are nodes to come, equals the boundary's sizes on it, and of the fields tried it leaves the fewest
 //! poor triangles. Nodes far away count together, as in the method of Barnes and Hut, so a value takes log n time.
 //!
-//! With a gradation it is the least of what the nodes permit: the size of a node and a share of the distance from it.
+//! It is limited by what the nodes permit, the size of each and a share of the distance from it: a few short edges far from long ones,
+//! round a small hole for instance, would else count for too little a short way off.
 
 use glam::DVec2;
 
@@ -25,7 +26,7 @@ pub(super) struct SizeField<'a> {
     nodes: Vec<Node>,
     boxes: Vec<Group>,
     scale: f64,
-    grade: Option<f64>,
+    grade: f64,
     sizing: Option<Sizing<'a>>,
 }
 
@@ -57,7 +58,7 @@ impl<'a> SizeField<'a> {
     pub(super) fn new(
         nodes: impl Iterator<Item = (DVec2, f64)>,
         scale: f64,
-        grade: Option<f64>,
+        grade: f64,
         sizing: Option<Sizing<'a>>,
     ) -> Self {
         let mut field = Self {
@@ -76,11 +77,7 @@ impl<'a> SizeField<'a> {
     /// # Errors
     /// The caller's size when it is not a finite number above zero.
     pub(super) fn at(&self, place: DVec2) -> Result<f64, GradedError> {
-        let of_boundary = self.scale
-            * match self.grade {
-                Some(grade) => self.permitted(place, grade),
-                None => self.of_boundary(place),
-            };
+        let of_boundary = self.scale * self.permitted(place, self.of_boundary(place));
         let Some(sizing) = self.sizing else {
             return Ok(of_boundary);
         };
@@ -96,9 +93,9 @@ impl<'a> SizeField<'a> {
         self.sizing.is_some()
     }
 
-    /// The least that the nodes permit, when sizes grow by `grade` times the distance.
-    fn permitted(&self, place: DVec2, grade: f64) -> f64 {
-        let mut least = f64::INFINITY;
+    /// The least that the nodes permit, when sizes grow with the distance as they may, or what is asked for.
+    fn permitted(&self, place: DVec2, asked: f64) -> f64 {
+        let (grade, mut least) = (self.grade, asked);
         let mut next = 0;
         while let Some(group) = self.boxes.get(next) {
             let nearest = place.clamp(group.low, group.high);
@@ -208,7 +205,7 @@ mod tests {
     #[test]
     fn far_nodes_together_are_as_good_as_one_by_one() {
         let nodes = ring(1000);
-        let field = SizeField::new(nodes.iter().copied(), 1.0, None, None);
+        let field = SizeField::new(nodes.iter().copied(), 1.0, 0.5, None);
         for i in 0..200 {
             let at = DVec2::from_angle(f64::from(i)) * (f64::from(i) / 201.0);
             let (found, expected) = (field.of_boundary(at), plainly(&nodes, at));
@@ -222,7 +219,7 @@ mod tests {
     #[test]
     fn nodes_have_their_own_sizes_and_all_are_scaled() {
         let nodes = ring(100);
-        let field = SizeField::new(nodes.iter().copied(), 0.5, None, None);
+        let field = SizeField::new(nodes.iter().copied(), 0.5, 0.5, None);
         assert!(
             nodes
                 .iter()
@@ -231,13 +228,14 @@ mod tests {
     }
 
     #[test]
-    fn with_a_gradation_sizes_are_the_least_that_any_node_permits() {
+    fn no_node_permits_less() {
         let nodes = ring(300);
-        let field = SizeField::new(nodes.iter().copied(), 1.0, Some(0.3), None);
+        let field = SizeField::new(nodes.iter().copied(), 1.0, 0.1, None);
         for i in 0..200 {
             let at = DVec2::from_angle(f64::from(i)) * (f64::from(i) / 100.0);
-            let permitted = nodes.iter().map(|(p, h)| h + 0.3 * p.distance(at));
-            assert_eq!(field.at(at), Ok(permitted.fold(f64::INFINITY, f64::min)));
+            let permitted = nodes.iter().map(|(p, h)| h + 0.1 * p.distance(at));
+            let asked = field.of_boundary(at);
+            assert_eq!(field.at(at), Ok(permitted.fold(asked, f64::min)));
         }
     }
 }

@@ -26,6 +26,11 @@ pub(crate) fn domain(loops: &[Vec<DVec2>]) -> Domain {
     of_outline(&outline(loops))
 }
 
+/// The domain with these loops, if they do not cross.
+pub(crate) fn try_domain(loops: &[Vec<DVec2>]) -> Option<Domain> {
+    Domain::new(&outline(loops), BuildOptions::default(), &mut silent).ok()
+}
+
 /// The domain of an outline.
 pub(crate) fn of_outline(outline: &Outline) -> Domain {
     Domain::new(outline, BuildOptions::default(), &mut silent).expect("a region")
