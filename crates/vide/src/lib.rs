@@ -35,6 +35,7 @@
 //! The program is behind the feature `cli`, which is on by default; libraries switch it off.
 
 pub mod convert;
+pub mod marks;
 pub mod picture;
 pub mod plane;
 pub mod quality;

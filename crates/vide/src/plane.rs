@@ -99,6 +99,12 @@ impl GivenRegion {
         &self.triangulation
     }
 
+    /// The parts that the segments separate.
+    #[must_use]
+    pub fn components(&self) -> &Components {
+        &self.components
+    }
+
     /// Whether a triangle is inside; ghosts are not.
     #[must_use]
     pub fn is_inside(&self, f: FaceId) -> bool {

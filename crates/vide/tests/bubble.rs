@@ -4,6 +4,8 @@
 
 mod folder;
 
+use std::collections::BTreeMap;
+
 use folder::{Folder, text};
 use serde_json::Value;
 use vide::bubble_mesh::radius_ratio;
@@ -27,9 +29,10 @@ fn triangles(mesh: &Mesh) -> Vec<[DVec2; 3]> {
         let [x, y, _] = mesh.points[v as usize];
         DVec2::new(x, y)
     };
-    let triangles = mesh.cells.iter().map(|cell| match cell {
-        Cell::Triangle(corners) => corners.map(place),
-        cell => panic!("{cell:?} is no triangle"),
+    let triangles = mesh.cells.iter().filter_map(|cell| match cell {
+        Cell::Triangle(corners) => Some(corners.map(place)),
+        Cell::Segment(_) => None,
+        cell => panic!("{cell:?} is neither a triangle nor an edge of the boundary"),
     });
     triangles.collect()
 }
@@ -130,6 +133,133 @@ fn regions_side_by_side_and_crossings_are_meshed_to_one_mesh() {
     assert!((area(&read_mesh(&folder.path("again.vtu")).unwrap()) - 2.0).abs() < 1e-12);
 }
 
+/// Two squares with a common side, the right one with a hole; markers for points, segments and both regions.
+const MARKED: &str = "10 2 0 1\n0 0 0 1\n1 1 0 2\n2 2 0 3\n3 2 1 4\n4 1 1 5\n5 0 1 6\n\
+    6 1.4 0.4 7\n7 1.6 0.4 8\n8 1.6 0.6 9\n9 1.4 0.6 10\n\
+    11 1\n0 0 1 10\n1 1 2 10\n2 2 3 20\n3 3 4 30\n4 4 5 30\n5 5 0 40\n6 1 4 50\n\
+    7 6 7 60\n8 7 8 60\n9 8 9 60\n10 9 6 60\n1\n0 1.5 0.5\n2\n0 0.1 0.5 7\n1 1.1 0.5 -3\n";
+
+/// Total length by marker of the edges, total area by marker of the triangles.
+fn measures(mesh: &Mesh) -> BTreeMap<i32, f64> {
+    let place = |v: u32| DVec2::new(mesh.points[v as usize][0], mesh.points[v as usize][1]);
+    let mut sums = BTreeMap::new();
+    for (cell, &marker) in mesh.cells.iter().zip(mesh.cell_markers.as_ref().unwrap()) {
+        *sums.entry(marker).or_insert(0.0) += match cell {
+            Cell::Segment([a, b]) => place(a).distance(place(b)),
+            Cell::Triangle(corners) => {
+                let [a, b, c] = corners.map(place);
+                (b - a).perp_dot(c - a) / 2.0
+            }
+            cell => panic!("{cell:?}"),
+        };
+    }
+    sums
+}
+
+#[test]
+fn markers_of_points_segments_and_regions_come_out_again() {
+    let folder = Folder::with(&[("in.poly", MARKED)]);
+    let expected = [
+        (-3, 0.96),
+        (7, 1.0),
+        (10, 2.0),
+        (20, 1.0),
+        (30, 2.0),
+        (40, 1.0),
+        (50, 1.0),
+        (60, 0.8),
+    ];
+    for command in [
+        "bubble in.poly --size 0.1",
+        "bubble in.poly --paper",
+        "bubble in.poly --boundary slide --scale 0.3",
+        "bubble in.poly --boundary resample --size 0.1",
+        "refine in.poly",
+        "refine in.poly --boundary split --size 0.2",
+    ] {
+        run(
+            &folder,
+            &format!("{command} -o out.vtu -o out.msh -o out.ele -q"),
+        );
+        for file in ["out.vtu", "out.msh"] {
+            let mesh = read_mesh(&folder.path(file)).unwrap();
+            let found = measures(&mesh);
+            assert_eq!(found.len(), expected.len(), "{command}: {found:?}");
+            for (marker, size) in expected {
+                assert!(
+                    (found[&marker] / size - 1.0).abs() < 1e-9,
+                    "{command}: {marker}: {found:?}"
+                );
+            }
+        }
+        let mesh = read_mesh(&folder.path("out.ele")).unwrap();
+        assert!(
+            mesh.cells
+                .iter()
+                .all(|cell| matches!(cell, Cell::Triangle(_)))
+        );
+        if !command.contains("resample") {
+            let markers = mesh.point_markers.unwrap();
+            assert_eq!(markers[..10], [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+            assert!(markers[10..].iter().all(|&marker| marker == 0));
+        }
+    }
+}
+
+#[test]
+fn nodes_of_the_outline_stay_slide_or_are_placed_anew() {
+    let folder = Folder::with(&[("region.poly", REGION)]);
+    let mesh = |options: &str| {
+        let command = format!("bubble region.poly -o out.vtu --report out.json{options}");
+        run(&folder, &command);
+        let report = std::fs::read(folder.path("out.json")).unwrap();
+        let report: Value = serde_json::from_slice(&report).unwrap();
+        let mesh = read_mesh(&folder.path("out.vtu")).unwrap();
+        (mesh, report["bubbles"]["boundary_nodes"].as_u64().unwrap())
+    };
+    let (fixed, given) = mesh("");
+    let (slid, same) = mesh(" --boundary slide");
+    assert_eq!((given, same), (80, 80));
+    assert!(fixed.points[..80] != slid.points[..80]);
+    let corners = |mesh: &Mesh| {
+        mesh.points
+            .iter()
+            .filter(|p| fixed.points[..80].contains(p))
+            .count()
+    };
+    assert!(corners(&slid) >= 4);
+    let (anew, more) = mesh(" --boundary resample --grade 0.1");
+    assert!(
+        more > 80 && least_ratio(&anew) > 0.85,
+        "{more} {}",
+        least_ratio(&anew)
+    );
+    let (finer, _) = mesh(" --grade 0.05");
+    assert!(triangles(&finer).len() > triangles(&fixed).len());
+    for mesh in [&slid, &anew] {
+        assert!((area(mesh) / area(&fixed) - 1.0).abs() < 1e-3);
+    }
+}
+
+#[test]
+fn sizes_that_change_steeply_are_warned_of() {
+    // A side of one edge opposite one of many.
+    let mut points = "0 0 0\n1 1 0\n".to_owned();
+    for i in 0..=20 {
+        points += &format!("{} {} 0.3\n", i + 2, 1.0 - f64::from(i) / 20.0);
+    }
+    let segments: String = (0..23)
+        .map(|i| format!("{i} {i} {}\n", (i + 1) % 23))
+        .collect();
+    let text = format!("23 2 0 0\n{points}23 0\n{segments}0\n");
+    let folder = Folder::with(&[("steep.poly", text.as_str())]);
+    let said = run(&folder, "bubble steep.poly -o out.vtu --report out.json");
+    let said: Vec<&str> = said.lines().take(2).collect();
+    insta::assert_snapshot!(said.join("\n"));
+    let said = run(&folder, "bubble steep.poly -o out.vtu --boundary resample");
+    insta::assert_snapshot!(said.lines().next().unwrap());
+}
+
 #[test]
 fn what_makes_no_sense_is_said_in_one_line_and_nothing_is_written() {
     let folder = Folder::with::<&str>(&[]);
@@ -214,6 +344,11 @@ fn what_makes_no_sense_is_said_in_one_line_and_nothing_is_written() {
         "--scale -1",
         "--paper --size 1",
         "--iterations 5",
+        "--paper --boundary slide",
+        "--paper --grade 0.1",
+        "--crossings divide --boundary resample",
+        "--grade 0",
+        "--crease 200",
     ] {
         let arguments = format!("bubble good.poly -o out.vtu {usage}");
         let output = folder.vide(&arguments.split(' ').collect::<Vec<_>>());

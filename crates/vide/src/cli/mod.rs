@@ -72,7 +72,10 @@ pub(crate) fn run() -> ExitCode {
         Command::Block(args) => args.common.on_threads(|| block::run(&args)),
         Command::Delaunay(args) => args.common.on_threads(|| delaunay::run(&args)),
         Command::Quality(args) => args.common.on_threads(|| quality::run(&args)),
-        Command::Bubble(args) => args.common.on_threads(|| bubble::run(&args)),
+        Command::Bubble(args) => {
+            args.check().unwrap_or_else(|usage| usage.exit());
+            args.common.on_threads(|| bubble::run(&args))
+        }
         Command::Refine(args) => {
             let method = args.method().unwrap_or_else(|usage| usage.exit());
             args.common.on_threads(|| refine::run(&args, method))

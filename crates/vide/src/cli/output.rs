@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use vide::mesh_io::{Format, Outputs, WriteError, WriteProblem, companion};
+use vide::mesh_io::{Format, Mesh, Outputs, WriteError, WriteProblem, companion};
 
 use super::failure::Failure;
 use super::progress::Watch;
@@ -119,4 +119,15 @@ pub(crate) fn write_together(
         outputs.file(path, |out| report.write(out))?;
     }
     Ok(outputs.publish()?)
+}
+
+/// Writes a mesh, with the marked edges of its boundary where there are any and the format has a place for them.
+pub(crate) fn write_marked(
+    outputs: &mut Outputs<'_>,
+    path: &Path,
+    mesh: &Mesh,
+    with_edges: Option<&Mesh>,
+) -> Result<(), WriteError> {
+    let has_place = matches!(Format::from_path(path), Some(Format::Vtu | Format::Msh));
+    outputs.mesh(path, with_edges.filter(|_| has_place).unwrap_or(mesh))
 }

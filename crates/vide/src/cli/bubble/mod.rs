@@ -1,27 +1,28 @@
 //! `vide bubble`: an outline in, a graded mesh of triangles out.
 
+mod boundary;
 mod report;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use vide::bubble_mesh::graded::{GradedParams, Stop, mesh_sized};
 use vide::bubble_mesh::{Domain, paper};
 use vide::convert::{region_mesh, triangles_mesh};
-use vide::delaunay_core::Crossings;
+use vide::delaunay_core::{FaceId, TriMesh};
 use vide::glam::DVec2;
 use vide::mesh_io::{Format, Mesh, PlanarGraph, read_mesh, read_planar_graph};
 use vide::picture::triangle_picture;
-use vide::plane::GivenRegion;
 use vide::quality::measure_mesh;
 
 use super::Common;
 use super::failure::Failure;
 use super::outline::{is_flat, outline_of};
-use super::output::{check_formats, check_places, write_together};
+use super::output::{check_formats, check_places, write_marked, write_together};
 use super::progress::Watch;
 use super::report::Report;
+use boundary::{AtBoundary, AtCrossings, Given, given};
 
 pub(crate) use report::Bubbles;
 
@@ -35,7 +36,7 @@ pub(crate) struct BubbleArgs {
     #[arg(short, long, value_name = "OUT", required = true)]
     output: Vec<PathBuf>,
     /// The method of the paper: nodes at centroids, then forces between bubbles
-    #[arg(long, conflicts_with_all = ["size", "scale", "trials"])]
+    #[arg(long, conflicts_with_all = ["size", "scale", "trials", "grade"])]
     paper: bool,
     /// How often bubbles move, with --paper
     #[arg(long, value_name = "N", requires = "paper")]
@@ -46,6 +47,16 @@ pub(crate) struct BubbleArgs {
     /// Edges inside over those that the outline asks for; smaller values make more triangles
     #[arg(long, value_name = "S", value_parser = positive, default_value_t = GradedParams::default().scale)]
     scale: f64,
+    /// Edges inside grow by at most G of the distance from the outline [default: 0.5]; with --boundary resample edges of the outline do as well
+    /// [default: 0.2]
+    #[arg(long, value_name = "G", value_parser = positive)]
+    grade: Option<f64>,
+    /// What happens to the nodes of the outline
+    #[arg(long, value_enum, default_value_t = AtBoundary::Fixed)]
+    boundary: AtBoundary,
+    /// Nodes where the outline turns by more than DEG degrees are corners
+    #[arg(long, value_name = "DEG", value_parser = angle, default_value_t = 30.0)]
+    crease: f64,
     /// So many changes of connectivity are tried, the worst triangles first; a thousand for a thousand nodes make good meshes very
     /// good
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -63,14 +74,6 @@ pub(crate) struct BubbleArgs {
     pub(super) common: Common,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum AtCrossings {
-    /// They are an error
-    Refuse,
-    /// They are divided where they meet
-    Divide,
-}
-
 const FORMATS: [Format; 5] = [
     Format::Vtu,
     Format::Msh,
@@ -79,14 +82,26 @@ const FORMATS: [Format; 5] = [
     Format::TriangleEle,
 ];
 
-/// More divisions of segments that cross are an error.
-const MOST_DIVISIONS: usize = 1_000_000;
-
 fn positive(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(value) if value > 0.0 && value < f64::INFINITY => Ok(value),
         _ => Err("not a finite number above zero".to_owned()),
     }
+}
+
+fn angle(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(angle) if (0.0..=180.0).contains(&angle) => Ok(angle),
+        _ => Err("an angle is a number of degrees from 0 to 180".to_owned()),
+    }
+}
+
+/// A mesh, which faces its cells are, and of what.
+struct Meshed {
+    mesh: Mesh,
+    faces: Vec<FaceId>,
+    triangles: TriMesh,
+    stop: super::report::Stop,
 }
 
 /// Meshes what the arguments name.
@@ -96,16 +111,20 @@ pub(crate) fn run(args: &BubbleArgs) -> Result<(), Failure> {
     check_places(&args.input, &args.output, others)?;
     let mut watch = Watch::new(args.common.quiet);
     let outline = watch.stage("read", |_| read(&args.input))?;
-    let domain = watch.stage("triangulate", |watch| domain(args, &outline, watch))?;
-    let (mesh, stop) = match args.paper {
-        true => by_the_paper(args, &domain, &mut watch)?,
-        false => graded(args, &domain, &mut watch)?,
+    let given = watch.stage("triangulate", |watch| given(args, &outline, watch))?;
+    let Given { domain, marks } = &given;
+    let mut meshed = match args.paper {
+        true => by_the_paper(args, domain, &mut watch)?,
+        false => graded(args, domain, &mut watch)?,
     };
+    marks.mark(&mut meshed.mesh, &meshed.faces, &meshed.triangles);
+    let with_edges = marks.with_edges(&meshed.mesh, &meshed.triangles);
+    let Meshed { mesh, stop, .. } = meshed;
     let mut report = Report {
         dimension: Some(2),
         vertices: mesh.points.len(),
         elements: mesh.cells.len(),
-        bubbles: Some(Bubbles::of(args.paper, &domain, &mesh)),
+        bubbles: Some(Bubbles::of(args.paper, domain, &mesh)),
         stop,
         ..Report::default()
     };
@@ -115,7 +134,7 @@ pub(crate) fn run(args: &BubbleArgs) -> Result<(), Failure> {
     let said = format!("{}{}", report::summary(&report), report.quality_table());
     write_together(watch, report, args.common.report.as_deref(), |outputs| {
         let mut paths = args.output.iter();
-        paths.try_for_each(|path| outputs.mesh(path, &mesh))?;
+        paths.try_for_each(|path| write_marked(outputs, path, &mesh, with_edges.as_ref()))?;
         picture.map_or(Ok(()), |(path, svg)| {
             outputs.file(path, |out| Ok(out.write_all(svg.as_bytes())?))
         })
@@ -138,29 +157,16 @@ fn read(input: &Path) -> Result<PlanarGraph, Failure> {
     }
 }
 
-fn domain(args: &BubbleArgs, outline: &PlanarGraph, watch: &mut Watch) -> Result<Domain, Failure> {
-    let crossings = match args.crossings {
-        AtCrossings::Refuse => Crossings::Refuse,
-        AtCrossings::Divide => Crossings::Divide {
-            at_most: MOST_DIVISIONS,
-        },
-    };
-    let mut report = |progress| watch.report(progress);
-    let region = GivenRegion::of(outline, crossings, Common::build_options(), &mut report);
-    let region = region.map_err(|error| Failure::input(&args.input, error))?;
-    Domain::of(region.subcomplex()).map_err(|error| Failure::input(&args.input, error))
-}
-
-fn graded(
-    args: &BubbleArgs,
-    domain: &Domain,
-    watch: &mut Watch,
-) -> Result<(Mesh, super::report::Stop), Failure> {
+fn graded(args: &BubbleArgs, domain: &Domain, watch: &mut Watch) -> Result<Meshed, Failure> {
+    let usual = GradedParams::default();
+    let crease = args.crease.to_radians();
     let params = GradedParams {
         scale: args.scale,
         trials: args.trials,
+        grade: args.grade.unwrap_or(usual.grade),
+        sliding: (args.boundary == AtBoundary::Slide).then_some(crease),
         nodes: args.max_nodes,
-        ..GradedParams::default()
+        ..usual
     };
     let size = args.size.map(|size| move |_: DVec2| size);
     let sizing = size.as_ref().map(|size| size as _);
@@ -170,7 +176,13 @@ fn graded(
         })
     });
     let meshed = meshed.map_err(|error| Failure::input(&args.input, error))?;
-    Ok((triangles_mesh(&meshed.complex).0, stop(meshed.stop)))
+    let (mesh, faces) = triangles_mesh(&meshed.complex);
+    Ok(Meshed {
+        mesh,
+        faces,
+        triangles: meshed.complex.mesh().clone(),
+        stop: stop(meshed.stop),
+    })
 }
 
 fn stop(stop: Stop) -> super::report::Stop {
@@ -181,11 +193,7 @@ fn stop(stop: Stop) -> super::report::Stop {
     }
 }
 
-fn by_the_paper(
-    args: &BubbleArgs,
-    domain: &Domain,
-    watch: &mut Watch,
-) -> Result<(Mesh, super::report::Stop), Failure> {
+fn by_the_paper(args: &BubbleArgs, domain: &Domain, watch: &mut Watch) -> Result<Meshed, Failure> {
     let usual = paper::Params::paper();
     let params = paper::Params {
         nodes: args.max_nodes,
@@ -205,7 +213,13 @@ fn by_the_paper(
         paper::Stop::OutOfRoom => super::report::Stop::NothingToInsert,
         paper::Stop::Cancelled => super::report::Stop::Cancelled,
     };
-    Ok((region_mesh(&optimized.region).0, stop))
+    let (mesh, faces) = region_mesh(&optimized.region);
+    Ok(Meshed {
+        mesh,
+        faces,
+        triangles: optimized.region.mesh().clone(),
+        stop,
+    })
 }
 
 fn picture<'a>(

@@ -1,9 +1,8 @@
 //! What became of an outline, as JSON for programs and as a line for people.
 
-use std::collections::BTreeSet;
-
 use serde::Serialize;
-use vide::bubble_mesh::{Domain, radius_ratio};
+use vide::bubble_mesh::{Domain, NodeSpacing, Spacing, radius_ratio};
+use vide::delaunay_core::VertexId;
 use vide::glam::DVec2;
 use vide::mesh_io::{Cell, Mesh};
 
@@ -11,6 +10,9 @@ use crate::cli::report::Report;
 
 /// Triangles below this radius ratio are listed.
 const POOR: f64 = 0.7;
+
+/// Sizes that change by more than this share of the distance are warned of.
+const TOO_STEEP: f64 = 0.8;
 
 /// At most so many, the worst first.
 const LISTED: usize = 20;
@@ -21,15 +23,32 @@ pub(crate) struct Bubbles {
     method: &'static str,
     boundary_nodes: usize,
     boundary_edges: usize,
+    spacing: Given,
     poor: Poor,
+}
+
+/// What the nodes of the outline allow: the worst anywhere.
+#[derive(Serialize)]
+struct Given {
+    /// The smallest angle between two edges, inside, in degrees.
+    sharpest_corner: f64,
+    /// The largest difference of two edges that see each other over their distance, and where.
+    steepest_sizes: f64,
+    steepest_at: [f64; 2],
+    /// The narrowest gap over the length of an edge beside it; none where edges see their neighbours only.
+    narrowest_gap: Option<f64>,
 }
 
 /// Triangles with a radius ratio below 0.7.
 #[derive(Serialize)]
 struct Poor {
     count: usize,
-    /// Of those, how many have a corner of the outline that is sharper than 45 degrees, which no triangle there can make up for.
+    /// Of those, how many are near a corner of the outline that is sharper than 45 degrees,
     at_sharp_corners: usize,
+    /// or else near edges of the outline whose lengths differ by more than half their distance,
+    at_steep_sizes: usize,
+    /// or else near a gap narrower than three quarters of an edge beside it.
+    in_narrow_gaps: usize,
     worst: Vec<PoorTriangle>,
 }
 
@@ -39,24 +58,55 @@ struct PoorTriangle {
     element: usize,
     ratio: f64,
     center: [f64; 2],
-    at_sharp_corner: bool,
+    reason: Option<&'static str>,
 }
 
 impl Bubbles {
     pub(super) fn of(paper: bool, domain: &Domain, mesh: &Mesh) -> Self {
         let region = domain.region();
+        let spacing = Spacing::of(domain);
         Self {
             method: if paper { "paper" } else { "graded" },
             boundary_nodes: region.vertex_count(),
             boundary_edges: region.boundary().count(),
-            poor: Poor::of(domain, mesh),
+            spacing: Given::of(domain, &spacing),
+            poor: Poor::of(&spacing, mesh),
         }
     }
 }
 
+impl Given {
+    fn of(domain: &Domain, spacing: &Spacing) -> Self {
+        let worst = spacing.worst();
+        let mut nodes = spacing.nodes();
+        let steepest = nodes.find(|(_, node)| node.steepness == worst.steepness);
+        let steepest = steepest.map_or(VertexId::new(0), |(v, _)| v);
+        Self {
+            sharpest_corner: worst.angle.to_degrees(),
+            steepest_sizes: worst.steepness,
+            steepest_at: domain.region().point(steepest).to_array(),
+            narrowest_gap: worst.width.is_finite().then_some(worst.width),
+        }
+    }
+}
+
+/// Why a triangle can not be good, in a word.
+fn reason(against: NodeSpacing) -> &'static str {
+    if against.angle < NodeSpacing::SHARP {
+        SHARP
+    } else if against.steepness > NodeSpacing::STEEP {
+        STEEP
+    } else {
+        NARROW
+    }
+}
+
+const SHARP: &str = "sharp corner";
+const STEEP: &str = "steep sizes";
+const NARROW: &str = "narrow gap";
+
 impl Poor {
-    fn of(domain: &Domain, mesh: &Mesh) -> Self {
-        let sharp = sharp_corners(domain);
+    fn of(spacing: &Spacing, mesh: &Mesh) -> Self {
         let place = |v: u32| {
             let [x, y, _] = mesh.points[v as usize];
             DVec2::new(x, y)
@@ -69,65 +119,55 @@ impl Poor {
             let triangle = corners.map(place);
             let ratio = radius_ratio(triangle);
             if ratio < POOR {
-                let bits = |p: DVec2| p.to_array().map(f64::to_bits);
                 poor.push(PoorTriangle {
                     element,
                     ratio,
                     center: (triangle.into_iter().sum::<DVec2>() / 3.0).to_array(),
-                    at_sharp_corner: triangle.iter().any(|&p| sharp.contains(&bits(p))),
+                    reason: spacing.against(triangle).map(reason),
                 });
             }
         }
         poor.sort_by(|a, b| a.ratio.total_cmp(&b.ratio));
         let count = poor.len();
-        let at_sharp_corners = poor.iter().filter(|poor| poor.at_sharp_corner).count();
+        let because = |word: &str| poor.iter().filter(|poor| poor.reason == Some(word)).count();
+        let [at_sharp_corners, at_steep_sizes, in_narrow_gaps] =
+            [SHARP, STEEP, NARROW].map(because);
         poor.truncate(LISTED);
         Self {
             count,
             at_sharp_corners,
+            at_steep_sizes,
+            in_narrow_gaps,
             worst: poor,
         }
     }
 }
 
-/// The places of corners where the region has an angle below 45 degrees.
-fn sharp_corners(domain: &Domain) -> BTreeSet<[u64; 2]> {
-    let region = domain.region();
-    let mut angles = vec![0.0; region.points().len()];
-    let mut sharp = BTreeSet::new();
-    for h in region.boundary() {
-        // The angle from a boundary edge on, through the triangles, to the next one.
-        let mesh = region.mesh();
-        let v = mesh.origin(h);
-        let [here, to] = region.segment(h);
-        let mut last = h.prev();
-        while !region.is_boundary(last) {
-            last = mesh.twin(last).prev();
-        }
-        let from = region.point(mesh.origin(last)) - here;
-        let turn = (to - here).angle_to(from).rem_euclid(std::f64::consts::TAU);
-        angles[v.index()] = turn;
-        if turn < std::f64::consts::FRAC_PI_4 {
-            sharp.insert(here.to_array().map(f64::to_bits));
-        }
-    }
-    sharp
-}
-
-/// One line for people.
+/// A line or two for people.
 pub(super) fn summary(report: &Report) -> String {
     let Some(bubbles) = &report.bubbles else {
         return String::new();
     };
-    let poor = match bubbles.poor.count {
+    let poor = &bubbles.poor;
+    let found = match poor.count {
         0 => "none below a radius ratio of 0.7".to_owned(),
         count => format!(
-            "{count} below a radius ratio of 0.7, {} of them at sharp corners of the outline",
-            bubbles.poor.at_sharp_corners
+            "{count} below a radius ratio of 0.7: {} at sharp corners of the outline, {} where its edges change steeply, {} in gaps \
+            narrower than its edges",
+            poor.at_sharp_corners, poor.at_steep_sizes, poor.in_narrow_gaps
         ),
     };
+    let spacing = &bubbles.spacing;
+    let [x, y] = spacing.steepest_at;
+    let warning = match spacing.steepest_sizes > TOO_STEEP {
+        true => format!(
+            "edges of the outline change by {:.2} of their distance at ({x}, {y}): --boundary resample makes them change slowly\n",
+            spacing.steepest_sizes
+        ),
+        false => String::new(),
+    };
     format!(
-        "{} nodes, {} of them on the outline, and {} triangles, {poor}\n",
+        "{} nodes, {} of them on the outline, and {} triangles, {found}\n{warning}",
         report.vertices, bubbles.boundary_nodes, report.elements
     )
 }

@@ -19,7 +19,7 @@ use vide::sink_refine::{Method, Params};
 use super::Common;
 use super::failure::Failure;
 use super::outline::{is_flat, outline_of};
-use super::output::{check_formats, check_places, write_together};
+use super::output::{check_formats, check_places, write_marked, write_together};
 use super::progress::Watch;
 use super::report::Report;
 
@@ -74,6 +74,8 @@ pub(crate) struct RefineArgs {
 /// What came out, ready to be written.
 struct Refined {
     mesh: Mesh,
+    /// The mesh with the marked edges of its boundary, where there are any.
+    with_edges: Option<Mesh>,
     report: Report,
 }
 
@@ -109,12 +111,16 @@ pub(crate) fn run(args: &RefineArgs, method: Method) -> Result<(), Failure> {
             solid::refine(args, mesh, &params(solid::RATIO, solid::CREASE), &mut watch)?
         }
     };
-    let Refined { mesh, mut report } = refined;
+    let Refined {
+        mesh,
+        with_edges,
+        mut report,
+    } = refined;
     watch.stage("measure", |_| report.measure(&measure_mesh(&mesh)));
     let said = format!("{}{}", report::summary(&report), report.quality_table());
     write_together(watch, report, args.common.report.as_deref(), |outputs| {
         let mut paths = args.output.iter();
-        paths.try_for_each(|path| outputs.mesh(path, &mesh))
+        paths.try_for_each(|path| write_marked(outputs, path, &mesh, with_edges.as_ref()))
     })?;
     args.common.say(&said);
     Ok(())

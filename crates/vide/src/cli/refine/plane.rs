@@ -5,6 +5,7 @@ use std::fmt::Display;
 use vide::convert::region_mesh;
 use vide::delaunay_core::{Crossings, Subcomplex2};
 use vide::glam::DVec2;
+use vide::marks::Marks;
 use vide::mesh_io::PlanarGraph;
 use vide::plane::GivenRegion;
 use vide::sink_refine::{Outcome2, Params, Sizing, refine2_sized};
@@ -34,7 +35,7 @@ pub(super) fn refine(
             "triangles have no dihedral angles: --min-dihedral is for solids",
         ));
     }
-    let region = watch.stage("triangulate", |watch| triangulate(args, outline, watch))?;
+    let (region, marks) = watch.stage("triangulate", |watch| triangulate(args, outline, watch))?;
     let before = [region.vertex_count(), region.faces().count()];
     let limits = size::of_regions(outline);
     let field = args.size.map(|size| move |_: DVec2| size);
@@ -48,23 +49,33 @@ pub(super) fn refine(
         })
     });
     let outcome = outcome.map_err(|error| failed(args, error))?;
-    Ok(watch.stage("sort", |_| refined(args, params, before, &outcome)))
+    Ok(watch.stage("sort", |_| refined(args, params, before, &outcome, &marks)))
 }
 
 fn triangulate(
     args: &RefineArgs,
     outline: &PlanarGraph,
     watch: &mut Watch,
-) -> Result<Subcomplex2, Failure> {
+) -> Result<(Subcomplex2, Marks), Failure> {
     let mut report = |progress| watch.report(progress);
     let options = Common::build_options();
     let region = GivenRegion::of(outline, Crossings::Refuse, options, &mut report);
     let region = region.map_err(|error| failed(args, error))?;
-    Ok(region.subcomplex())
+    let marks = Marks::of(outline, &region);
+    let marks = marks.map_err(|error| failed(args, format_args!("region {error}")))?;
+    Ok((region.subcomplex(), marks))
 }
 
-fn refined(args: &RefineArgs, params: &Params, before: [usize; 2], outcome: &Outcome2) -> Refined {
-    let (mesh, faces) = region_mesh(&outcome.region);
+fn refined(
+    args: &RefineArgs,
+    params: &Params,
+    before: [usize; 2],
+    outcome: &Outcome2,
+    marks: &Marks,
+) -> Refined {
+    let (mut mesh, faces) = region_mesh(&outcome.region);
+    marks.mark(&mut mesh, &faces, outcome.region.mesh());
+    let with_edges = marks.with_edges(&mesh, outcome.region.mesh());
     let report = Report {
         dimension: Some(2),
         vertices: mesh.points.len(),
@@ -73,7 +84,11 @@ fn refined(args: &RefineArgs, params: &Params, before: [usize; 2], outcome: &Out
         stop: outcome.stop.into(),
         ..Report::default()
     };
-    Refined { mesh, report }
+    Refined {
+        mesh,
+        with_edges,
+        report,
+    }
 }
 
 fn failed(args: &RefineArgs, problem: impl Display) -> Failure {

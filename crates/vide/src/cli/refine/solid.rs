@@ -70,7 +70,11 @@ fn refined(args: &RefineArgs, params: &Params, before: [usize; 2], outcome: &Out
         stop: outcome.stop.into(),
         ..Report::default()
     };
-    Refined { mesh, report }
+    Refined {
+        mesh,
+        with_edges: None,
+        report,
+    }
 }
 
 /// The mesh refined, without slivers; its report keeps what refinement did.
@@ -90,7 +94,11 @@ fn improved(
         improvement: Some(improvement),
         ..refined.report
     };
-    Ok(Refined { mesh, report })
+    Ok(Refined {
+        mesh,
+        with_edges: None,
+        report,
+    })
 }
 
 fn failed(args: &RefineArgs, problem: impl Display) -> Failure {

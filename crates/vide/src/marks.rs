@@ -1,0 +1,191 @@
+//! Markers and regions of a planar graph, carried to a mesh of what it describes.
+//!
+//! Whatever a method did inside, the boundary of its mesh has the given vertices with their numbers, and between two of them perhaps new
+//! ones. So an edge on the way from one given vertex to the next is part of the segment between them, and a triangle belongs to the
+//! region on the side of the segments that it hangs together with.
+
+use std::collections::BTreeMap;
+
+use delaunay_core::{FaceId, HalfEdgeId, SeedError, TriMesh, VertexId};
+use glam::DVec2;
+use mesh_io::{Cell, Cells, DataArray, Mesh, PlanarGraph};
+
+use crate::plane::GivenRegion;
+
+/// The name of the numbers that regions carry, in files.
+pub const ATTRIBUTE: &str = "region";
+
+/// What a graph says of its vertices, segments and regions.
+#[derive(Clone, Debug)]
+pub struct Marks {
+    /// How many vertices are given, those where segments were divided included.
+    given: usize,
+    points: Option<Vec<i32>>,
+    segments: Option<Vec<i32>>,
+    /// By ends, what lies along a segment with the triangles inside on its left.
+    sides: BTreeMap<[VertexId; 2], Side>,
+    /// By part, the number of its region.
+    attributes: Option<Vec<f64>>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Side {
+    segment: usize,
+    part: usize,
+}
+
+impl Marks {
+    /// The marks of a graph, where it has any. Takes n log n time.
+    ///
+    /// # Errors
+    /// The first seed of a region that names no part.
+    pub fn of(graph: &PlanarGraph, region: &GivenRegion) -> Result<Self, SeedError> {
+        let (triangulation, components) = (region.triangulation(), region.components());
+        let mesh = triangulation.mesh();
+        let is_inside =
+            |h: &HalfEdgeId| !mesh.is_ghost_face(h.face()) && region.is_inside(h.face());
+        let sides = mesh.half_edges().filter(is_inside).filter_map(|h| {
+            let segment = triangulation.segment_of(h)?;
+            let part = components.of(h.face());
+            Some(([mesh.origin(h), mesh.target(h)], Side { segment, part }))
+        });
+        let sides = sides.collect();
+        let seeds: Vec<DVec2> = graph
+            .regions
+            .iter()
+            .map(|region| region.seed.into())
+            .collect();
+        let parts = triangulation.parts_at(components, &seeds)?;
+        let attributes = (!seeds.is_empty()).then(|| {
+            let mut attributes = vec![0.0; components.count()];
+            for (part, region) in parts.into_iter().zip(&graph.regions) {
+                attributes[part] = region.attribute;
+            }
+            attributes
+        });
+        Ok(Self {
+            given: triangulation.points().len(),
+            points: graph.point_markers.clone(),
+            segments: graph.segment_markers.clone(),
+            sides,
+            attributes,
+        })
+    }
+
+    /// Gives a mesh of the region, as [`region_mesh`](crate::convert::region_mesh) makes it from the triangles of `triangles`, the markers
+    /// of points, 0 inside, and the numbers of regions: as cell data, and as cell markers where they are whole.
+    ///
+    /// Takes linear time and that of finding the segments.
+    pub fn mark(&self, mesh: &mut Mesh, faces: &[FaceId], triangles: &TriMesh) {
+        if let Some(points) = &self.points {
+            let used = (0..)
+                .map(VertexId::new)
+                .filter(|&v| triangles.outgoing(v).is_some());
+            let marker = |v: VertexId| points.get(v.index()).copied().unwrap_or(0);
+            let markers = used.take(mesh.points.len()).map(marker);
+            mesh.point_markers = Some(markers.collect());
+        }
+        let Some(attributes) = &self.attributes else {
+            return;
+        };
+        let parts = self.parts(triangles);
+        let of = |f: &FaceId| parts[f.index()].map_or(0.0, |part| attributes[part]);
+        let values: Vec<f64> = faces.iter().map(of).collect();
+        let whole = |value: &f64| {
+            let marker = *value as i32;
+            (f64::from(marker) == *value).then_some(marker)
+        };
+        mesh.cell_markers = values.iter().map(whole).collect();
+        mesh.cell_data.push(DataArray::scalar(ATTRIBUTE, values));
+    }
+
+    /// A mesh with the edges of the boundary, and those between regions, as further cells, with the markers of their segments; the mesh
+    /// itself where segments have none. The edges follow the triangles, sorted by their ends.
+    #[must_use]
+    pub fn with_edges(&self, mesh: &Mesh, triangles: &TriMesh) -> Option<Mesh> {
+        let segments = self.segments.as_ref()?;
+        let mut numbers = BTreeMap::new();
+        let used = (0..).map(VertexId::new).take(self.slots(triangles));
+        for v in used.filter(|&v| triangles.outgoing(v).is_some()) {
+            numbers.insert(v, numbers.len() as u32);
+        }
+        let mut edges = BTreeMap::new();
+        for (h, side) in self.edges(triangles) {
+            let ends = [triangles.origin(h), triangles.target(h)].map(|v| numbers[&v]);
+            let marker = segments.get(side.segment).copied().unwrap_or(0);
+            edges.insert([ends[0].min(ends[1]), ends[0].max(ends[1])], marker);
+        }
+        let mut marked = mesh.clone();
+        let mut cells: Vec<Cell> = mesh.cells.iter().collect();
+        cells.extend(edges.keys().copied().map(Cell::Segment));
+        marked.cells = Cells::from_iter(cells);
+        let mut markers = mesh
+            .cell_markers
+            .clone()
+            .unwrap_or_else(|| vec![0; mesh.cells.len()]);
+        markers.extend(edges.values());
+        marked.cell_markers = Some(markers);
+        for data in &mut marked.cell_data {
+            data.values
+                .resize(marked.cells.len() * data.components, 0.0);
+        }
+        Some(marked)
+    }
+
+    /// One more than the greatest vertex index.
+    fn slots(&self, triangles: &TriMesh) -> usize {
+        let origins = triangles.half_edges().map(|h| triangles.origin(h));
+        let real = origins.filter(|v| !v.is_ghost()).map(|v| v.index() + 1);
+        real.max().unwrap_or(0)
+    }
+
+    /// The half-edges on the boundary from inside, with what lies along their segments.
+    fn edges(&self, triangles: &TriMesh) -> Vec<(HalfEdgeId, Side)> {
+        let is_given = |v: VertexId| v.index() < self.given;
+        let is_boundary = |h: HalfEdgeId| triangles.is_ghost_face(triangles.twin(h).face());
+        let inside = triangles
+            .half_edges()
+            .filter(|h| !triangles.is_ghost_face(h.face()));
+        let mut found = Vec::new();
+        for first in inside.filter(|&h| is_boundary(h) && is_given(triangles.origin(h))) {
+            let (start, before) = (triangles.origin(first), found.len());
+            let mut here = first;
+            let mut on_the_way = vec![here];
+            while !is_given(triangles.target(here)) {
+                here = here.next();
+                while !is_boundary(here) {
+                    here = triangles.twin(here).next();
+                }
+                on_the_way.push(here);
+            }
+            if let Some(&side) = self.sides.get(&[start, triangles.target(here)]) {
+                found.extend(on_the_way.into_iter().map(|h| (h, side)));
+            }
+            debug_assert!(found.len() > before, "a boundary edge is part of a segment");
+        }
+        found
+    }
+
+    /// By face, its part.
+    fn parts(&self, triangles: &TriMesh) -> Vec<Option<usize>> {
+        let mut parts = vec![None; triangles.face_count()];
+        let mut pending = Vec::new();
+        for (h, side) in self.edges(triangles) {
+            let first = h.face();
+            if parts[first.index()].is_some() {
+                continue;
+            }
+            parts[first.index()] = Some(side.part);
+            pending.push(first);
+            while let Some(f) = pending.pop() {
+                for across in f.half_edges().map(|h| triangles.twin(h).face()) {
+                    if !triangles.is_ghost_face(across) && parts[across.index()].is_none() {
+                        parts[across.index()] = Some(side.part);
+                        pending.push(across);
+                    }
+                }
+            }
+        }
+        parts
+    }
+}
