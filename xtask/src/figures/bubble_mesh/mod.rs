@@ -1,6 +1,7 @@
 //! Luo, *Automatic Delaunay mesh generation method and physically-based mesh optimization method on two-dimensional regions*.
 
 mod boundary;
+mod graded;
 mod histogram;
 mod insertion;
 mod nearby;
@@ -9,7 +10,7 @@ mod regions;
 
 use super::Figure;
 
-/// Figures 1 to 6, and the bubbles of a boundary of our own.
+/// Figures 1 to 6, the bubbles of a boundary of our own, and the regions of the figures beyond the paper.
 pub const FIGURES: &[Figure] = &[
     Figure {
         name: "bubbles_fig01_insertion",
@@ -50,5 +51,26 @@ pub const FIGURES: &[Figure] = &[
         name: "bubbles_fig06_arbitrary",
         caption: "The same for a region of no simple form with two holes.",
         render: regions::arbitrary,
+    },
+    Figure {
+        name: "bubbles_graded_circle",
+        caption: "The circle of figure 3 by the paper's method and beyond it: nodes placed layer by layer, forces, then the shapes themselves \
+                  optimized. The numbers also tell what a search of the connectivity and other boundary nodes give.",
+        render: graded::circle,
+    },
+    Figure {
+        name: "bubbles_graded_square",
+        caption: "The same for the square with a hole of figure 4.",
+        render: graded::square,
+    },
+    Figure {
+        name: "bubbles_graded_rectangle",
+        caption: "The same for the rectangle with two holes of figure 5.",
+        render: graded::rectangle,
+    },
+    Figure {
+        name: "bubbles_graded_arbitrary",
+        caption: "The same for the arbitrary region of figure 6.",
+        render: graded::arbitrary,
     },
 ];
