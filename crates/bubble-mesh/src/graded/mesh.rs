@@ -113,6 +113,9 @@ fn boundary_sizes(domain: &Domain) -> Vec<f64> {
     bubbles.map(|bubble| per_radius * bubble.radius).collect()
 }
 
+/// More nodes than this are numbered anew after they are placed, as the order in which they came is that of no place.
+const OUT_OF_CACHE: usize = 8192;
+
 /// Places nodes in one order, evens them out and makes their triangles better.
 fn start(
     domain: &Domain,
@@ -130,12 +133,16 @@ fn start(
     };
     let nodes = params.nodes;
     let placed = place(domain.region(), sizes, field, order, nodes, &mut meter)?;
-    let mut mesh = GradedMesh {
-        complex: Complex2::of(placed.region),
-        stop: placed.stop,
-    };
+    let (mut complex, mut sizes) = (Complex2::of(placed.region), placed.sizes);
+    if sizes.len() > OUT_OF_CACHE {
+        let (renumbered, before) = complex.renumbered();
+        sizes = before.iter().map(|v| sizes[v.index()]).collect();
+        complex = renumbered;
+    }
+    let stop = placed.stop;
+    let mut mesh = GradedMesh { complex, stop };
     if mesh.stop != Stop::Cancelled
-        && let Err(cancelled) = mesh.improve(&placed.sizes, params, report)
+        && let Err(cancelled) = mesh.improve(&sizes, params, report)
     {
         mesh.stop = cancelled.into();
     }

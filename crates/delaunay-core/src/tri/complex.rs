@@ -146,6 +146,11 @@ impl Complex2 {
         self.coords[v.slot()]
     }
 
+    /// Ids of removed vertices, the last removed last.
+    pub(super) fn vacant(&self) -> &[VertexId] {
+        &self.vacant
+    }
+
     pub(super) fn mesh_mut(&mut self) -> &mut TriMesh {
         &mut self.mesh
     }

@@ -44,6 +44,7 @@ mod piece;
 mod region;
 mod regular;
 mod remove;
+mod renumber;
 mod sight;
 mod star;
 mod subcomplex;
