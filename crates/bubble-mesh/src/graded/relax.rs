@@ -69,7 +69,14 @@ struct Swarm {
     next: Vec<DVec2>,
     /// By inner node, where the list of its neighbours ends.
     ends: Vec<u32>,
-    neighbors: Vec<u32>,
+    neighbors: Vec<Neighbor>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Neighbor {
+    number: u32,
+    /// One over the square of the length at which the force is zero.
+    scale: f64,
 }
 
 impl Swarm {
@@ -102,10 +109,14 @@ impl Swarm {
         for (place, &v) in self.places.iter_mut().zip(&self.vertices) {
             *place = complex.point(v);
         }
-        for &v in &self.vertices[..self.inner] {
+        for (&v, size) in self.vertices[..self.inner].iter().zip(&self.sizes) {
             let beside = complex.mesh().neighbors(v);
-            self.neighbors
-                .extend(beside.map(|w| self.numbers[w.index()]));
+            self.neighbors.extend(beside.map(|w| {
+                let number = self.numbers[w.index()];
+                let rest = 0.5 * (size + self.sizes[number as usize]);
+                let scale = 1.0 / (rest * rest);
+                Neighbor { number, scale }
+            }));
             self.ends.push(self.neighbors.len() as u32);
         }
     }
@@ -113,7 +124,6 @@ impl Swarm {
     /// Moves all inner nodes by the forces of their neighbours.
     fn step(&mut self, strength: f64) {
         let Self {
-            sizes,
             places,
             next,
             ends,
@@ -128,8 +138,8 @@ impl Swarm {
                 for (k, next) in (first..).zip(next) {
                     let end = ends[k] as usize;
                     let others = neighbors[start..end].iter();
-                    let others = others.map(|&w| (places[w as usize], sizes[w as usize]));
-                    *next = places[k] + strength * force_on(places[k], sizes[k], others);
+                    let others = others.map(|other| (places[other.number as usize], other.scale));
+                    *next = places[k] + strength * force_on(places[k], others);
                     start = end;
                 }
             });
@@ -151,14 +161,13 @@ impl Swarm {
     }
 }
 
-/// The sum of the forces on a node of a size from others with theirs.
+/// The sum of the forces on a node from others, each with one over the square of the length at which its force is zero.
 #[inline]
-fn force_on(here: DVec2, size: f64, others: impl Iterator<Item = (DVec2, f64)>) -> DVec2 {
-    let of = |(there, other): (DVec2, f64)| {
+fn force_on(here: DVec2, others: impl Iterator<Item = (DVec2, f64)>) -> DVec2 {
+    let of = |(there, scale): (DVec2, f64)| {
         let arm = here - there;
-        let rest = 0.5 * (size + other);
         // With u = length / rest: close to (1 - u⁴) exp(-u⁴) / u.
-        let u2 = (arm.length_squared() / (rest * rest)).max(f64::MIN_POSITIVE);
+        let u2 = (arm.length_squared() * scale).max(f64::MIN_POSITIVE);
         let u4 = u2 * u2;
         let fall = 1.0 + u4 * (1.0 + u4 * (0.5 + u4 / 6.0));
         (1.0 - u4) / (fall * u2.sqrt()) * arm
