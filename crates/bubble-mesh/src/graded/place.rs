@@ -197,6 +197,10 @@ impl Front<'_> {
             self.sizes.push(size);
             self.layers.push(ends[0].max(ends[1]) + 1);
             self.examine(cavity.faces());
+            for &f in cavity.faces() {
+                // Across the edge that is not at the new node.
+                self.list(self.region.mesh().twin(f.half_edge(1)).face());
+            }
         }
         self.cavity = cavity;
         Ok(placed)
@@ -258,7 +262,7 @@ impl Front<'_> {
         beside.into_iter().for_each(|f| self.list(f));
     }
 
-    /// Takes up new triangles and those beside them.
+    /// Takes up new triangles.
     fn examine(&mut self, new: &[FaceId]) {
         let count = self.region.mesh().face_count();
         self.faces.resize(count, State::default());
@@ -270,12 +274,7 @@ impl Front<'_> {
             };
             self.faces[f.index()] = state;
         }
-        for &f in new {
-            self.list(f);
-            for h in f.half_edges() {
-                self.list(self.region.mesh().twin(h).face());
-            }
-        }
+        new.iter().for_each(|&f| self.list(f));
     }
 
     fn list(&mut self, face: FaceId) {
