@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use crate::blocks::BlocksDefect;
 use crate::mesh::{Axis, MeshDefect};
+use crate::svg_outline::DrawingDefect;
 
 /// Why a file could not be read. Prints as `file:line: problem`, on one line.
 #[derive(Debug)]
@@ -145,6 +146,9 @@ pub enum ReadProblem {
     /// The blocks contradict each other.
     #[error(transparent)]
     Blocks(#[from] BlocksDefect),
+    /// The drawing makes no outlines.
+    #[error(transparent)]
+    Drawing(#[from] DrawingDefect),
 }
 
 /// Why a file could not be written; a file of that name is then as it was before. Prints as `file: problem`, on one line.

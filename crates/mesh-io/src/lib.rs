@@ -30,6 +30,7 @@
 //! | `.ply` | [`ply`] | mesh, points | | points and faces; weights are read |
 //! | `.stl` | [`stl`] | triangles | | points, merged by place, and triangles |
 //! | `.obj` | [`obj`] | mesh | | points and faces |
+//! | `.svg` | [`svg_outline`] | planar graph | | outlines of shapes, curves as chords |
 //! | `DOMAIN.toml` | [`circles_toml`] | circles | circles | everything |
 //!
 //! The crate knows no geometry: nothing is oriented, repaired or judged here but form. What it promises instead:
@@ -41,7 +42,7 @@
 //!   refuses it, and what else is left out stands in the table;
 //! - what is written and read back has the same bits, but for a `z` of -0.0 in a planar file, which is 0.0.
 //!
-//! [`svg`] draws pictures; it shares nothing with the rest but the name of being a file format.
+//! [`svg`] draws pictures, which [`svg_outline`] can read again as mere lines; it shares nothing with the rest but the name of being a file format.
 
 mod atomic;
 pub mod block_mesh_dict;
@@ -70,6 +71,7 @@ mod read;
 mod read_points;
 pub mod stl;
 pub mod svg;
+pub mod svg_outline;
 pub mod triangle;
 pub mod vtu;
 mod write;

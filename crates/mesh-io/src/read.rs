@@ -14,7 +14,9 @@ use crate::mesh::Mesh;
 use crate::numbers::Encoding;
 use crate::planar_graph::PlanarGraph;
 use crate::points::Coordinates;
-use crate::{circles_toml, connectivity_map, msh, obj, off, plot3d, ply, stl, triangle, vtu, xy};
+use crate::{
+    circles_toml, connectivity_map, msh, obj, off, plot3d, ply, stl, svg_outline, triangle, vtu, xy,
+};
 
 /// Bytes read at most from a device or a pipe, which may never end.
 const LONGEST_STREAM: u64 = 1 << 30;
@@ -75,13 +77,15 @@ pub fn read_circles(path: &Path) -> Result<CirclesDomain, ReadError> {
     parsed().map_err(|error: ReadError| error.in_file(path))
 }
 
-/// The planar straight-line graph in a `.poly`, with its points from the `.node` beside it when the file has none.
+/// The planar straight-line graph in a `.poly`, with its points from the `.node` beside it when the file has none; or in an
+/// `.svg`, see [`svg_outline`].
 ///
 /// # Errors
 /// A [`ReadError`] that names the file, and the line and element where one is to blame. O(file).
 pub fn read_planar_graph(path: &Path) -> Result<PlanarGraph, ReadError> {
     named(path, |format, bytes| match format {
         Format::TrianglePoly => triangle::parse_poly(bytes, || nodes_beside(path)),
+        Format::Svg => svg_outline::parse(bytes),
         _ => Err(unsupported(format, "a planar graph")),
     })
 }
