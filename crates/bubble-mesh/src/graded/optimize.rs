@@ -177,3 +177,39 @@ fn gains(complex: &Complex2, h: HalfEdgeId, cost: f64, energy: Energy) -> bool {
     }
     energy.of([a, d, c]) + energy.of([d, b, c]) < cost + beyond - LEAST_GAIN
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::energy::{FIRST, LAST};
+    use super::*;
+    use glam::DVec2;
+
+    /// On a grid of places for the two corners beyond an edge of length one.
+    #[test]
+    fn no_flip_betters_good_triangles() {
+        let steps = 60;
+        let at = |i: usize, j: usize| {
+            let [x, y] = [i, j].map(|k| k as f64 / f64::from(steps));
+            DVec2::new(1.6 * x - 0.3, 0.3 + 1.1 * y)
+        };
+        let grid =
+            || (0..=steps as usize).flat_map(|i| (0..=steps as usize).map(move |j| at(i, j)));
+        let (a, b) = (DVec2::ZERO, DVec2::X);
+        let mut pairs = 0;
+        for energy in [FIRST, LAST] {
+            let good: Vec<(DVec2, f64)> = grid()
+                .map(|c| (c, energy.of([a, b, c])))
+                .filter(|&(_, cost)| cost < GOOD)
+                .collect();
+            for &(c, above) in &good {
+                for &(mirrored, below) in &good {
+                    let d = DVec2::new(mirrored.x, -mirrored.y);
+                    let flipped = energy.of([a, d, c]) + energy.of([d, b, c]);
+                    assert!(flipped > above + below, "{energy:?}: {c} {d}");
+                    pairs += 1;
+                }
+            }
+        }
+        assert!(pairs > 100_000, "{pairs}");
+    }
+}

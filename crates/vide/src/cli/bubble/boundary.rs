@@ -59,20 +59,20 @@ impl BubbleArgs {
 }
 
 /// What is to be meshed.
-pub(super) struct Given {
+pub(super) struct Region {
     pub(super) domain: Domain,
     pub(super) marks: Marks,
 }
 
 /// The domain of an outline, whose nodes are placed anew where that is asked for.
-pub(super) fn given(
+pub(super) fn region(
     args: &BubbleArgs,
     outline: &PlanarGraph,
     watch: &mut Watch,
-) -> Result<Given, Failure> {
-    let given = triangulated(args, outline, watch)?;
+) -> Result<Region, Failure> {
+    let region = triangulated(args, outline, watch)?;
     if args.boundary != AtBoundary::Resample {
-        return Ok(given);
+        return Ok(region);
     }
     let outline = resampled(args, outline)?;
     triangulated(args, &outline, watch).map_err(|error| {
@@ -85,7 +85,7 @@ fn triangulated(
     args: &BubbleArgs,
     outline: &PlanarGraph,
     watch: &mut Watch,
-) -> Result<Given, Failure> {
+) -> Result<Region, Failure> {
     let failed = |error: &dyn std::fmt::Display| Failure::input(&args.input, error);
     let crossings = match args.crossings {
         AtCrossings::Refuse => Crossings::Refuse,
@@ -99,7 +99,7 @@ fn triangulated(
     let marks = Marks::of(outline, &region);
     let marks = marks.map_err(|error| failed(&format_args!("region {error}")))?;
     let domain = Domain::of(region.subcomplex()).map_err(|error| failed(&error))?;
-    Ok(Given { domain, marks })
+    Ok(Region { domain, marks })
 }
 
 /// The outline with other nodes. Where the markers of segments change there are corners.

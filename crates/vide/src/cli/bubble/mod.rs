@@ -12,24 +12,25 @@ use vide::bubble_mesh::{Domain, paper};
 use vide::convert::{region_mesh, triangles_mesh};
 use vide::delaunay_core::{FaceId, TriMesh};
 use vide::glam::DVec2;
-use vide::mesh_io::{Format, Mesh, PlanarGraph, read_mesh, read_planar_graph};
+use vide::mesh_io::{Format, Mesh, PlanarGraph};
 use vide::picture::triangle_picture;
 use vide::quality::measure_mesh;
 
 use super::Common;
 use super::failure::Failure;
-use super::outline::{is_flat, outline_of};
+use super::outline::{Given, read_given, without_loose_points};
 use super::output::{check_formats, check_places, write_marked, write_together};
 use super::progress::Watch;
 use super::report::Report;
-use boundary::{AtBoundary, AtCrossings, Given, given};
+use boundary::{AtBoundary, AtCrossings, Region, region};
 
 pub(crate) use report::Bubbles;
 
 #[derive(Args)]
 pub(crate) struct BubbleArgs {
-    /// A planar outline: .poly, with holes, regions side by side and loose segments as it has them; or triangles at z = 0, whose
-    /// outline is taken
+    /// A planar outline: .poly, with holes, regions side by side and loose segments as it has them; polygons of a .geojson or .json, a
+    /// drawing in .svg, whose y points down and becomes -y, or faces of any number of corners of an .off; or another mesh at z = 0,
+    /// whose outline is taken
     #[arg(value_name = "OUTLINE")]
     input: PathBuf,
     /// Triangles to write, by extension: .vtu .msh .off .ele .node; may be repeated
@@ -111,8 +112,8 @@ pub(crate) fn run(args: &BubbleArgs) -> Result<(), Failure> {
     check_places(&args.input, &args.output, others)?;
     let mut watch = Watch::new(args.common.quiet);
     let outline = watch.stage("read", |_| read(&args.input))?;
-    let given = watch.stage("triangulate", |watch| given(args, &outline, watch))?;
-    let Given { domain, marks } = &given;
+    let region = watch.stage("triangulate", |watch| region(args, &outline, watch))?;
+    let Region { domain, marks } = &region;
     let mut meshed = match args.paper {
         true => by_the_paper(args, domain, &mut watch)?,
         false => graded(args, domain, &mut watch)?,
@@ -143,14 +144,14 @@ pub(crate) fn run(args: &BubbleArgs) -> Result<(), Failure> {
     Ok(())
 }
 
+/// The outline in a file. Of triangles that are given only the boundary counts; of a `.poly` all points do.
 fn read(input: &Path) -> Result<PlanarGraph, Failure> {
-    if Format::from_path(input) == Some(Format::TrianglePoly) {
-        return Ok(read_planar_graph(input)?);
-    }
-    let mesh = read_mesh(input)?;
-    match is_flat(&mesh) {
-        true => Ok(outline_of(&mesh)),
-        false => Err(Failure::input(
+    match read_given(input)? {
+        Given::Outline(outline) if Format::from_path(input) == Some(Format::TrianglePoly) => {
+            Ok(outline)
+        }
+        Given::Outline(outline) => Ok(without_loose_points(&outline)),
+        Given::Mesh(_) => Err(Failure::input(
             input,
             "there is no outline in the plane z = 0",
         )),

@@ -10,15 +10,13 @@ mod solid;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use vide::mesh_io::{
-    Format, Mesh, PlanarGraph, ReadError, companion, read_mesh, read_planar_graph,
-};
+use vide::mesh_io::{Format, Mesh, companion};
 use vide::quality::measure_mesh;
 use vide::sink_refine::{Method, Params};
 
 use super::Common;
 use super::failure::Failure;
-use super::outline::{is_flat, outline_of};
+use super::outline::{Given, read_given};
 use super::output::{check_formats, check_places, write_marked, write_together};
 use super::progress::Watch;
 use super::report::Report;
@@ -29,7 +27,8 @@ pub(crate) use report::Refinement;
 #[derive(Args)]
 pub(crate) struct RefineArgs {
     /// A closed surface of triangles: .off .ply .stl .obj .vtu .msh; or tetrahedra, whose boundary and vertices are kept:
-    /// .vtu .msh .ele .node; or a closed outline in the plane: .poly, or triangles at z = 0, whose outline is kept
+    /// .vtu .msh .ele .node; or a closed outline in the plane: .poly .geojson .json .svg, polygons of an .off, or triangles at z = 0,
+    /// whose outline is kept
     #[arg(value_name = "INPUT")]
     input: PathBuf,
     /// Tetrahedra or triangles to write, by extension: .vtu .msh .ele .node; may be repeated
@@ -93,7 +92,7 @@ pub(crate) fn run(args: &RefineArgs, method: Method) -> Result<(), Failure> {
         check_places(read, &args.output, &args.common.report)?;
     }
     let mut watch = Watch::new(args.common.quiet);
-    let given = watch.stage("read", |_| read(&args.input))?;
+    let given = watch.stage("read", |_| read_given(&cells_of(&args.input)))?;
     let params = |usual: f64, crease: f64| Params {
         ratio: args.ratio.unwrap_or(usual),
         method,
@@ -124,23 +123,6 @@ pub(crate) fn run(args: &RefineArgs, method: Method) -> Result<(), Failure> {
     })?;
     args.common.say(&said);
     Ok(())
-}
-
-/// What is to be refined.
-enum Given {
-    Outline(PlanarGraph),
-    Mesh(Mesh),
-}
-
-fn read(input: &Path) -> Result<Given, ReadError> {
-    if Format::from_path(input) == Some(Format::TrianglePoly) {
-        return read_planar_graph(input).map(Given::Outline);
-    }
-    let mesh = read_mesh(&cells_of(input))?;
-    Ok(match is_flat(&mesh) {
-        true => Given::Outline(outline_of(&mesh)),
-        false => Given::Mesh(mesh),
-    })
 }
 
 /// The file with the cells: of the points in a `.node` they are in the `.ele` beside it.
