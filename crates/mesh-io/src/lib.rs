@@ -42,7 +42,7 @@
 //!   refuses it, and what else is left out stands in the table;
 //! - what is written and read back has the same bits, but for a `z` of -0.0 in a planar file, which is 0.0.
 //!
-//! [`svg`] draws pictures, which [`svg_outline`] can read again as mere lines; it shares nothing with the rest but the name of being a file format.
+//! [`svg`] draws pictures; it shares nothing with the rest, [`svg_outline`] among it, but the name of being a file format.
 
 mod atomic;
 pub mod block_mesh_dict;

@@ -81,11 +81,12 @@ fn a_drawing_with_layers_keeps_its_areas() {
             "{area} {exact}"
         );
     }
-    // The centre of the hole, 10 to the left of that of the plate, turned by 30 degrees and flipped.
-    let hole = graph.points.iter().filter(|[x, y]| {
-        let (x, y) = (x - 40.0 + 15.0 * 0.75_f64.sqrt(), y + 7.5 - 7.5);
-        (x.hypot(y) - 6.0).abs() < 1e-3
-    });
+    // The centre of the hole, 15 from that of the plate at 30 degrees, which is (40, 7.5) before the flip.
+    let centre = [40.0 - 15.0 * 0.75_f64.sqrt(), 0.0];
+    let hole = graph
+        .points
+        .iter()
+        .filter(|[x, y]| ((x - centre[0]).hypot(y - centre[1]) - 6.0).abs() < 1e-3);
     assert!(hole.count() >= 12);
 }
 

@@ -33,7 +33,7 @@ impl Arc {
 /// A cubic turns by 36 degrees at most and strays by less than 1e-6 of the greater radius, which is less than 1e-4 of the
 /// extent of the drawing in any direction, whatever the transform; the end is met exactly. Radii too small to reach the end are
 /// grown. An arc is a straight line where SVG says so, and where a radius is below 1e-5 of the other.
-pub(super) fn push_arc(curves: &mut BezPath, from: impl Into<Point>, arc: Arc) {
+pub(super) fn push_arc(curves: &mut BezPath, from: impl Into<Point>, arc: &Arc) {
     const STRAY: f64 = 1e-6;
     let (from, to) = (from.into(), arc.to);
     // In units of the greater radius, as seen from the begin, since what is small is measured in absolute numbers below.

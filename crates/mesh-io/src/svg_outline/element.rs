@@ -56,8 +56,8 @@ impl<'a> Element<'a> {
         let style = self.attribute("style")?.unwrap_or_default();
         let declared = style.split(';').filter_map(|one| one.split_once(':'));
         // As in CSS the last declaration counts, and any counts more than the attribute.
-        let declared = declared.filter(|(name, _)| name.trim().eq_ignore_ascii_case("display"));
-        Ok(match declared.last() {
+        let mut declared = declared.filter(|(name, _)| name.trim().eq_ignore_ascii_case("display"));
+        Ok(match declared.next_back() {
             Some((_, value)) => !hides(value),
             None => !self
                 .attribute("display")?

@@ -1,6 +1,8 @@
 //! Curves as chords.
 
-use kurbo::{BezPath, ParamCurve, ParamCurveExtrema, PathSeg, Rect, Vec2};
+use kurbo::{
+    BezPath, CubicBez, ParamCurve, ParamCurveExtrema, PathSeg, Point, QuadBez, Rect, Vec2,
+};
 
 use super::graph::Joined;
 use super::{DrawingDefect, FLATNESS, MOST_POINTS};
@@ -49,24 +51,15 @@ fn diagonal(curves: &BezPath) -> Result<f64, DrawingDefect> {
 /// multiple of the extent of the curve, so a curve has some dozens of chords. Source: Wang, 1984; Filip, Magedson and Markot,
 /// "Surface algorithms using bounds on derivatives", CAGD 3, 1986.
 fn chord_count(curve: PathSeg, tolerance: f64) -> Result<usize, DrawingDefect> {
-    let (greatest_second_derivative, bend) = match curve {
+    let second_difference = |a: Point, b: Point, c: Point| ((a - b) + (c - b)).hypot();
+    let second_derivative = match curve {
         PathSeg::Line(_) => return Ok(1),
-        PathSeg::Quad(quad) => (2.0, (quad.p0 - quad.p1) + (quad.p2 - quad.p1)),
-        PathSeg::Cubic(cubic) => {
-            let first = (cubic.p0 - cubic.p1) + (cubic.p2 - cubic.p1);
-            let second = (cubic.p1 - cubic.p2) + (cubic.p3 - cubic.p2);
-            let longest = if first.hypot() > second.hypot() {
-                first
-            } else {
-                second
-            };
-            (6.0, longest)
+        PathSeg::Quad(QuadBez { p0, p1, p2 }) => 2.0 * second_difference(p0, p1, p2),
+        PathSeg::Cubic(CubicBez { p0, p1, p2, p3 }) => {
+            6.0 * second_difference(p0, p1, p2).max(second_difference(p1, p2, p3))
         }
     };
-    let greatest_second_derivative = greatest_second_derivative * bend.hypot();
-    let chords = (greatest_second_derivative / (8.0 * tolerance))
-        .sqrt()
-        .ceil();
+    let chords = (second_derivative / (8.0 * tolerance)).sqrt().ceil();
     if chords > MOST_POINTS as f64 {
         return Err(DrawingDefect::TooManyPoints { limit: MOST_POINTS });
     }

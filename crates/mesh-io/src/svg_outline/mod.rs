@@ -46,7 +46,8 @@ pub const DEEPEST_NESTING: usize = 256;
 /// The outlines in a drawing, without holes, regions, markers and data.
 ///
 /// Points at exactly one place are one point, chords without length are dropped, a chord drawn twice (in whatever direction)
-/// is kept once, and every point has a segment. So a subpath closed by `Z`, or whose ends meet, makes a loop, any other one
+/// is kept once, and every point has a segment. Places that merely nearly agree stay apart, but for the gap that rounding of
+/// relative coordinates leaves (below 1e-12 of the greatest coordinate) at a `Z`. So a subpath closed by `Z`, or whose ends meet, makes a loop, any other one
 /// loose segments. Points and segments come in the order in which they are drawn.
 ///
 /// # Errors

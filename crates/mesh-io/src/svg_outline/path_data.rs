@@ -1,9 +1,15 @@
 //! Path data: the attribute `d` as curves.
 
-use kurbo::{BezPath, Point, Vec2};
+use kurbo::{BezPath, PathEl, Point, Vec2};
 use svgtypes::{Error, PathParser, PathSegment};
 
 use super::arc::{Arc, push_arc};
+
+/// Longest gap that `Z` closes by moving the last point onto the first, as a share of the greatest coordinate so far.
+///
+/// Relative coordinates add up to a gap of some units in the last place where the drawing has none. A line over it would be
+/// shorter by far than anything that is drawn.
+const ROUNDING: f64 = 1e-12;
 
 /// The curves that path data say, in absolute coordinates.
 ///
@@ -27,6 +33,8 @@ struct Pen {
     at: Point,
     /// The last control point of the last command.
     control: Control,
+    /// The greatest coordinate of `at` so far, without its sign.
+    greatest: f64,
 }
 
 /// A control point that a smooth curve continues.
@@ -103,14 +111,23 @@ impl Pen {
                     large: large_arc,
                     sweep,
                 };
-                push_arc(&mut self.curves, self.at, arc);
+                push_arc(&mut self.curves, self.at, &arc);
                 self.at = place(x, y);
             }
-            PathSegment::ClosePath { .. } => {
-                self.curves.close_path();
-                self.at = self.start;
-            }
+            PathSegment::ClosePath { .. } => self.close(),
         }
+        self.greatest = self.greatest.max(self.at.x.abs()).max(self.at.y.abs());
+    }
+
+    fn close(&mut self) {
+        if (self.at - self.start).hypot() <= ROUNDING * self.greatest
+            && let Some(PathEl::LineTo(end) | PathEl::QuadTo(_, end) | PathEl::CurveTo(_, _, end)) =
+                self.curves.elements_mut().last_mut()
+        {
+            *end = self.start;
+        }
+        self.curves.close_path();
+        self.at = self.start;
     }
 
     fn line_to(&mut self, end: Point) {

@@ -80,23 +80,34 @@ fn rect(element: &Element) -> Result<BezPath, ReadProblem> {
         ));
     }
     let radii = Vec2::new(rx.min(width / 2.0), ry.min(height / 2.0));
-    let Vec2 { x: rx, y: ry } = radii;
-    let quarter = |to| Arc::quarter(radii, to);
-    curves.move_to((x + rx, y));
-    curves.line_to((right - rx, y));
-    push_arc(&mut curves, (right - rx, y), quarter((right, y + ry)));
-    curves.line_to((right, bottom - ry));
-    push_arc(
-        &mut curves,
-        (right, bottom - ry),
-        quarter((right - rx, bottom)),
+    let ([near_x, far_x], [near_y, far_y]) = (
+        corners_end(x, width, radii.x),
+        corners_end(y, height, radii.y),
     );
-    curves.line_to((x + rx, bottom));
-    push_arc(&mut curves, (x + rx, bottom), quarter((x, bottom - ry)));
-    curves.line_to((x, y + ry));
-    push_arc(&mut curves, (x, y + ry), quarter((x + rx, y)));
+    let sides = [
+        [(near_x, y), (far_x, y)],
+        [(right, near_y), (right, far_y)],
+        [(far_x, bottom), (near_x, bottom)],
+        [(x, far_y), (x, near_y)],
+    ];
+    curves.move_to(sides[0][0]);
+    for (index, &[_, end]) in sides.iter().enumerate() {
+        let [next, _] = sides[(index + 1) % 4];
+        curves.line_to(end);
+        push_arc(&mut curves, end, &Arc::quarter(radii, next));
+    }
     curves.close_path();
     Ok(curves)
+}
+
+/// Where the round corners of a side end. Corners that meet do so in one place, whatever the rounding.
+fn corners_end(begin: f64, length: f64, radius: f64) -> [f64; 2] {
+    let near = begin + radius;
+    if radius < length / 2.0 {
+        [near, begin + length - radius]
+    } else {
+        [near, near]
+    }
 }
 
 /// Four quarters. Source: SVG 2, sections 10.3 and 10.4.
@@ -110,11 +121,8 @@ fn ellipse(element: &Element, radii: Vec2) -> Result<BezPath, ReadProblem> {
     let quarters = [(cx + rx, cy), (cx, cy + ry), (cx - rx, cy), (cx, cy - ry)];
     curves.move_to((cx + rx, cy));
     for (index, &from) in quarters.iter().enumerate() {
-        push_arc(
-            &mut curves,
-            from,
-            Arc::quarter(radii, quarters[(index + 1) % 4]),
-        );
+        let arc = Arc::quarter(radii, quarters[(index + 1) % 4]);
+        push_arc(&mut curves, from, &arc);
     }
     curves.close_path();
     Ok(curves)

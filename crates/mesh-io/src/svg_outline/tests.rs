@@ -50,6 +50,25 @@ fn places_are_points_and_segments_are_kept_once() {
 }
 
 #[test]
+fn no_chord_is_as_short_as_a_rounding_error() {
+    let loops = [
+        graph("<path d='m.1 .1l.2 0 0 .2-.2 0 0-.2z'/>"),
+        graph("<path d='m.1 .1q.1 .3 .2 0c0 .3 .1 .3-.2 .2l0-.2z'/>"),
+        graph("<rect x='.1' y='.7' width='.3' height='.1' rx='.2' ry='.03'/>"),
+    ];
+    for graph in loops {
+        assert_eq!(graph.points.len(), graph.segments.len());
+        for [a, b] in graph.segments {
+            let ([ax, ay], [bx, by]) = (graph.points[a as usize], graph.points[b as usize]);
+            assert!((bx - ax).hypot(by - ay) > 1e-3);
+        }
+    }
+    // Whoever draws a short line means it.
+    let graph = graph("<path d='M0 0H1V1L1e-9 1e-9z'/>");
+    assert_eq!(graph.points.len(), 4);
+}
+
+#[test]
 fn transforms_are_applied_from_the_inside() {
     insta::assert_snapshot!(shown("<g transform='translate(10 20)'><a transform='scale(2)'><line transform='matrix(0 1 1 0 0 0)' x1='1' x2='3'/></a></g><line x2='1'/>"), @"(10 -22) (10 -26) (0 0) (1 0) | 0-1 2-3");
     insta::assert_snapshot!(shown("<svg:svg transform='translate(1)'><switch><svg:line x2='1' transform=''/></switch></svg:svg>"), @"(1 0) (2 0) | 0-1");
