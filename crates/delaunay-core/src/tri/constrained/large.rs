@@ -13,7 +13,10 @@ use crate::tri::mesh::Face;
 use glam::DVec2;
 
 /// From this many wall edges on a polygon is worth a triangulation of its own.
-pub(super) const LEAST_LARGE: usize = 48;
+const LEAST_LARGE: usize = 48;
+
+/// From this many wall edges on both sides they are worth a thread each.
+const LEAST_SHARED: usize = 4096;
 
 /// Polygons in polygons in polygons are not followed further down than this.
 const GREATEST_DEPTH: usize = 24;
@@ -22,20 +25,30 @@ const GREATEST_DEPTH: usize = 24;
 const WALL: u32 = 1;
 
 impl Constrained2 {
-    /// As [`fill_pocket`](Self::fill_pocket), for long walls.
-    pub(super) fn fill_large(
+    /// What is inside two polygons with long walls, found at the same time where both are very long; `None` for those without.
+    pub(super) fn insides(&self, pockets: [&Pocket; 2], depth: usize) -> [Option<Inside>; 2] {
+        let inside = |pocket: &Pocket| match pocket.walls.len() < LEAST_LARGE {
+            false if depth < GREATEST_DEPTH => Inside::of(self, pocket, depth),
+            _ => None,
+        };
+        let [right, left] = pockets;
+        let shorter = right.walls.len().min(left.walls.len());
+        match shorter < LEAST_SHARED {
+            true => [inside(right), inside(left)],
+            false => rayon::join(|| inside(right), || inside(left)).into(),
+        }
+    }
+
+    /// Fills a polygon with what is inside, if that is known, and gives the base.
+    pub(super) fn fill(
         &mut self,
         pocket: &Pocket,
         slots: &[FaceId],
-        depth: usize,
+        inside: Option<&Inside>,
     ) -> HalfEdgeId {
-        let inside = match depth < GREATEST_DEPTH {
-            true => Inside::of(self, pocket, depth),
-            false => None,
-        };
         match inside {
             Some(inside) if inside.faces.len() == slots.len() => {
-                self.take_over(&inside, pocket, slots)
+                self.take_over(inside, pocket, slots)
             }
             _ => self.fill_pocket(pocket, slots),
         }
@@ -61,7 +74,7 @@ impl Constrained2 {
 }
 
 /// The faces of the triangulation of the corners that are inside the polygon.
-struct Inside {
+pub(super) struct Inside {
     corners: Constrained2,
     faces: Vec<FaceId>,
     /// By face, its place in `faces`.

@@ -5,7 +5,6 @@
 
 use super::ahead::{Ahead, Turn, between};
 use super::corridor::{Corridor, End};
-use super::large::LEAST_LARGE;
 use super::pocket::{Pocket, Wall};
 use super::triangulation::Constrained2;
 use crate::ids::{FaceId, HalfEdgeId, VertexId};
@@ -178,12 +177,11 @@ impl Constrained2 {
             self.survey(walls, pocket);
         }
         let (right, left) = corridor.faces.split_at(pockets[0].walls.len() - 1);
-        let bases = [(&pockets[0], right), (&pockets[1], left)].map(|(pocket, slots)| {
-            match pocket.walls.len() < LEAST_LARGE {
-                true => self.fill_pocket(pocket, slots),
-                false => self.fill_large(pocket, slots, depth),
-            }
-        });
+        let insides = self.insides([&pockets[0], &pockets[1]], depth);
+        let bases = [
+            self.fill(&pockets[0], right, insides[0].as_ref()),
+            self.fill(&pockets[1], left, insides[1].as_ref()),
+        ];
         self.mesh.glue(bases[0], bases[1]);
         self.labels[bases[0].index()] = 0;
         self.put_label(bases[0], label);
