@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use crate::blocks::BlocksDefect;
 use crate::mesh::{Axis, MeshDefect};
+use crate::points::OffPlane;
 use crate::svg_outline::DrawingDefect;
 
 /// Why a file could not be read. Prints as `file:line: problem`, on one line.
@@ -149,6 +150,9 @@ pub enum ReadProblem {
     /// The drawing makes no outlines.
     #[error(transparent)]
     Drawing(#[from] DrawingDefect),
+    /// A point of space where points of the plane are needed.
+    #[error(transparent)]
+    OffPlane(#[from] OffPlane),
 }
 
 /// Why a file could not be written; a file of that name is then as it was before. Prints as `file: problem`, on one line.

@@ -38,12 +38,13 @@ pub enum Format {
     Stl,
     /// Object file of Wavefront, `.obj`.
     Obj,
+    /// Outlines of geography, `.geojson` or `.json`.
+    GeoJson,
 }
 
 impl Format {
     /// Every name that [`Format::from_path`] knows, for messages.
-    pub const EXTENSIONS: &'static str =
-        ".vtu .msh .p3d .p3b blockMeshDict .node .ele .poly .off .svg .xy .xyz .f64 .ply .stl .obj";
+    pub const EXTENSIONS: &'static str = ".vtu .msh .p3d .p3b blockMeshDict .node .ele .poly .off .svg .xy .xyz .f64 .ply .stl .obj .geojson .json";
 
     /// The format that a path names by its file name or extension (in any case); `None` when it names none.
     #[must_use]
@@ -66,6 +67,7 @@ impl Format {
             "ply" => Self::Ply,
             "stl" => Self::Stl,
             "obj" => Self::Obj,
+            "geojson" | "json" => Self::GeoJson,
             _ => return None,
         })
     }
@@ -99,6 +101,7 @@ impl fmt::Display for Format {
             Self::Ply => "PLY",
             Self::Stl => "STL",
             Self::Obj => "OBJ",
+            Self::GeoJson => "GeoJSON",
         })
     }
 }
@@ -114,6 +117,7 @@ mod tests {
         assert_eq!(format("system/blockMeshDict"), Some(Format::BlockMeshDict));
         assert_eq!(format("fine.blockMeshDict"), Some(Format::BlockMeshDict));
         assert_eq!(format("a.tar.node"), Some(Format::TriangleNode));
+        assert_eq!(format("a.geo.json"), Some(Format::GeoJson));
         assert_eq!(
             (format("noextension"), format("a.step"), format("")),
             (None, None, None)

@@ -24,13 +24,14 @@
 //! | `blockMeshDict` | [`block_mesh_dict`] | | blocks | what `blockMesh` needs to make them anew |
 //! | `.node`, `.ele` | [`triangle`] | mesh | triangles or tetrahedra | markers, and data without names |
 //! | `.poly` | [`triangle`] | planar graph | planar graph | everything but names of data |
-//! | `.off` | [`off`] | mesh | cells without volume | points and cells |
+//! | `.off` | [`off`] | mesh, planar graph | cells without volume | points and cells; of a planar graph the outline of the faces |
 //! | `.xy`, `.xyz` | [`xy`] | points | points | points; weights are read |
 //! | `.2d.f64`, `.3d.f64` | [`raw`] | points | points | points and weights |
 //! | `.ply` | [`ply`] | mesh, points | | points and faces; weights are read |
 //! | `.stl` | [`stl`] | triangles | | points, merged by place, and triangles |
 //! | `.obj` | [`obj`] | mesh | | points and faces |
 //! | `.svg` | [`svg_outline`] | planar graph | | outlines of shapes, curves as chords |
+//! | `.geojson`, `.json` | [`geojson`] | planar graph | | rings and lines, points merged by place; `marker` of features |
 //! | `DOMAIN.toml` | [`circles_toml`] | circles | circles | everything |
 //!
 //! The crate knows no geometry: nothing is oriented, repaired or judged here but form. What it promises instead:
@@ -54,12 +55,14 @@ pub mod circles_toml;
 pub mod connectivity_map;
 mod error;
 mod format;
+pub mod geojson;
 mod lines;
 mod mesh;
 pub mod msh;
 mod numbers;
 pub mod obj;
 pub mod off;
+mod outline;
 mod outputs;
 mod planar_graph;
 pub mod plot3d;

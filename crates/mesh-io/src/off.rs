@@ -1,5 +1,6 @@
 //! OFF: points and polygons as plain text.
 
+use std::collections::HashMap;
 use std::io::Write;
 
 use crate::cell::{Cell, Cells};
@@ -7,6 +8,9 @@ use crate::error::{ReadError, ReadProblem, WriteError, WriteProblem};
 use crate::format::Format;
 use crate::lines::{Line, Lines};
 use crate::mesh::Mesh;
+use crate::outline::{Outline, undirected};
+use crate::planar_graph::PlanarGraph;
+use crate::points::Coordinates;
 
 /// The mesh of an OFF file: points, and faces of 1 to 4 corners. Colours after the corners of a face are passed over.
 ///
@@ -15,20 +19,75 @@ use crate::mesh::Mesh;
 /// its line. O(file).
 pub fn parse(bytes: &[u8]) -> Result<Mesh, ReadError> {
     let mut lines = Lines::new(bytes)?;
-    let (point_count, face_count) = counts(&mut lines)?;
+    let (points, face_count) = points(&mut lines)?;
+    let mut cells = Cells::new();
+    for index in 0..face_count {
+        let line = lines.due(format_args!("face {index} of {face_count}"))?;
+        cells.push(face(line, index, points.len())?);
+    }
+    lines.end()?;
+    Ok(Mesh::new(points, cells))
+}
+
+/// The outline of the faces of an OFF file at z = 0, which may have any number of corners: the edges that an odd number of faces
+/// has, which is closed whatever the faces are. Faces of two corners are segments and stay.
+///
+/// Points at exactly one place are one; those without a segment are left out.
+///
+/// # Errors
+/// Counts that do not hold, corners that do not exist, numbers that are none or not finite, each with its line; the first point
+/// that is not at z = 0. O(file).
+pub fn parse_outline(bytes: &[u8]) -> Result<PlanarGraph, ReadError> {
+    let mut lines = Lines::new(bytes)?;
+    let (points, face_count) = points(&mut lines)?;
+    let places = Coordinates::Space(points).into_plane();
+    let places = places.map_err(ReadProblem::from)?;
+    let mut outline = Outline::default();
+    let numbers: Vec<u32> = places
+        .into_iter()
+        .map(|place| outline.point(place))
+        .collect::<Result<_, _>>()?;
+    // How often each edge occurs, in the order of first occurrence.
+    let mut counts: HashMap<[u32; 2], usize> = HashMap::new();
+    let mut edges: Vec<[u32; 2]> = Vec::new();
+    for index in 0..face_count {
+        let line = lines.due(format_args!("face {index} of {face_count}"))?;
+        let corners = polygon(line, index, numbers.len())?;
+        let corners: Vec<u32> = corners.into_iter().map(|v| numbers[v as usize]).collect();
+        if let &[a, b] = corners.as_slice() {
+            outline.segment([a, b], None);
+            continue;
+        }
+        let next = corners.iter().cycle().skip(1);
+        for edge in corners
+            .iter()
+            .zip(next)
+            .filter_map(|(&a, &b)| undirected([a, b]))
+        {
+            let count = counts.entry(edge).or_insert(0);
+            if *count == 0 {
+                edges.push(edge);
+            }
+            *count += 1;
+        }
+    }
+    lines.end()?;
+    for edge in edges.into_iter().filter(|edge| counts[edge] % 2 == 1) {
+        outline.segment(edge, None);
+    }
+    Ok(outline.into_graph())
+}
+
+/// The points, and how many faces follow.
+fn points(lines: &mut Lines<'_>) -> Result<(Vec<[f64; 3]>, usize), ReadError> {
+    let (point_count, face_count) = counts(lines)?;
     let mut points = Vec::with_capacity(lines.room_for(point_count));
     for index in 0..point_count {
         let mut line = lines.due(format_args!("point {index} of {point_count}"))?;
         points.push(line.coordinates("point", index)?);
         line.end(format_args!("the coordinates of point {index}"))?;
     }
-    let mut cells = Cells::new();
-    for index in 0..face_count {
-        let line = lines.due(format_args!("face {index} of {face_count}"))?;
-        cells.push(face(line, index, point_count)?);
-    }
-    lines.end()?;
-    Ok(Mesh::new(points, cells))
+    Ok((points, face_count))
 }
 
 /// Numbers of points and faces, after the word OFF or on the line below it.
@@ -56,19 +115,8 @@ fn face(mut line: Line<'_>, index: usize, point_count: usize) -> Result<Cell, Re
     const MOST_CORNERS: usize = 4;
     let count: usize = line.number(format_args!("the number of corners of face {index}"))?;
     let mut corners = [0; MOST_CORNERS];
-    for (corner, point) in corners.iter_mut().take(count).enumerate() {
-        let named: i64 = line.number(format_args!("corner {corner} of face {index}"))?;
-        *point = u32::try_from(named)
-            .ok()
-            .filter(|&point| (point as usize) < point_count)
-            .ok_or_else(|| {
-                line.problem(ReadProblem::NoSuch {
-                    element: "face",
-                    index,
-                    names: "point",
-                    found: named,
-                })
-            })?;
+    for (number, corner) in corners.iter_mut().take(count).enumerate() {
+        *corner = point_of(&mut line, number, index, point_count)?;
     }
     let [a, b, c, d] = corners;
     match count {
@@ -80,6 +128,36 @@ fn face(mut line: Line<'_>, index: usize, point_count: usize) -> Result<Cell, Re
             "face {index} with {count} corners"
         )))),
     }
+}
+
+/// The corners of a face, however many.
+fn polygon(mut line: Line<'_>, index: usize, point_count: usize) -> Result<Vec<u32>, ReadError> {
+    let count: usize = line.number(format_args!("the number of corners of face {index}"))?;
+    let corners = 0..count;
+    corners
+        .map(|corner| point_of(&mut line, corner, index, point_count))
+        .collect()
+}
+
+/// The point at a corner of a face.
+fn point_of(
+    line: &mut Line<'_>,
+    corner: usize,
+    face: usize,
+    point_count: usize,
+) -> Result<u32, ReadError> {
+    let named: i64 = line.number(format_args!("corner {corner} of face {face}"))?;
+    let point = u32::try_from(named).ok();
+    point
+        .filter(|&point| (point as usize) < point_count)
+        .ok_or_else(|| {
+            line.problem(ReadProblem::NoSuch {
+                element: "face",
+                index: face,
+                names: "point",
+                found: named,
+            })
+        })
 }
 
 /// Writes points and faces, so that reading gives the same bits. Markers and data are left out.
@@ -140,6 +218,29 @@ mod tests {
         insta::assert_snapshot!(error("OFF\n1 1 0\n0 0 0\n5 0 0 0 0 0"), @"line 4: face 0 with 5 corners is not supported");
         insta::assert_snapshot!(error("OFF\n1 0 0\n0 -inf 0"), @"line 3: point 0: y is -inf, which is not a finite number");
         insta::assert_snapshot!(error("OFF\n0 0 0\n0 0 0"), @"line 3: expected the end of the file, found `0 0 0`");
+    }
+
+    #[test]
+    fn the_outline_of_polygons_is_what_an_odd_number_of_them_has() {
+        // A pentagon and a triangle with a common side, a loose segment, a point of no face.
+        let text = "OFF\n8 3 0\n0 0 0\n2 0 0\n3 1 0\n2 2 0\n0 2 0\n4 2 0\n1 1 0\n9 9 0\n\
+            5 0 1 2 3 4\n3 2 5 3\n2 6 0 255 0 0\n";
+        let graph = parse_outline(text.as_bytes()).unwrap();
+        assert_eq!(graph.points.len(), 7);
+        let mut segments: Vec<[u32; 2]> = graph
+            .segments
+            .iter()
+            .map(|&[a, b]| [a.min(b), a.max(b)])
+            .collect();
+        segments.sort_unstable();
+        assert_eq!(
+            segments,
+            [[0, 1], [0, 4], [0, 6], [1, 2], [2, 5], [3, 4], [3, 5]]
+        );
+        let error = |text: &str| parse_outline(text.as_bytes()).unwrap_err();
+        insta::assert_snapshot!(error("OFF\n1 1 0\n0 0 0\n9 0 0"), @"line 4: expected corner 2 of face 0, found the end of the line");
+        insta::assert_snapshot!(error("OFF\n1 1 0\n0 0 0\n3 0 0 7"), @"line 4: face 0: there is no point 7");
+        insta::assert_snapshot!(error("OFF\n1 0 0\n0 0 2\n"), @"point 0 lies at z = 2, points of the plane are needed");
     }
 
     #[test]

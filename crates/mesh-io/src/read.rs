@@ -15,7 +15,8 @@ use crate::numbers::Encoding;
 use crate::planar_graph::PlanarGraph;
 use crate::points::Coordinates;
 use crate::{
-    circles_toml, connectivity_map, msh, obj, off, plot3d, ply, stl, svg_outline, triangle, vtu, xy,
+    circles_toml, connectivity_map, geojson, msh, obj, off, plot3d, ply, stl, svg_outline,
+    triangle, vtu, xy,
 };
 
 /// Bytes read at most from a device or a pipe, which may never end.
@@ -23,7 +24,7 @@ const LONGEST_STREAM: u64 = 1 << 30;
 
 /// The mesh in a file of any format that holds one.
 ///
-/// Points alone (`.xy`, `.xyz`, `.node`) make a mesh without cells; a `.poly` makes one of segments; structured blocks make one of
+/// Points alone (`.xy`, `.xyz`, `.node`) make a mesh without cells; a `.poly` or a `.geojson` makes one of segments; structured blocks make one of
 /// quads. An `.ele` needs the `.node` beside it. Raw numbers are read as points only, see [`read_points`](crate::read_points).
 ///
 /// # Errors
@@ -45,6 +46,7 @@ pub(crate) fn mesh_of(path: &Path, format: Format, bytes: &[u8]) -> Result<Mesh,
         Format::TriangleNode => triangle::parse_node(bytes).map(Mesh::from),
         Format::TriangleEle => triangle::parse_ele(bytes, nodes_beside(path)?),
         Format::TrianglePoly => Ok(triangle::parse_poly(bytes, || nodes_beside(path))?.as_mesh()),
+        Format::GeoJson => Ok(geojson::parse(bytes)?.as_mesh()),
         Format::Vtu => vtu::parse(bytes),
         Format::Plot3dAscii | Format::Plot3dBinary => {
             Ok(blocks_of(path, format, bytes)?.to_mesh()?)
@@ -77,8 +79,9 @@ pub fn read_circles(path: &Path) -> Result<CirclesDomain, ReadError> {
     parsed().map_err(|error: ReadError| error.in_file(path))
 }
 
-/// The planar straight-line graph in a `.poly`, with its points from the `.node` beside it when the file has none; or in an
-/// `.svg`, see [`svg_outline`].
+/// The planar straight-line graph in a `.poly`, with its points from the `.node` beside it when the file has none; of the rings and
+/// lines of a `.geojson` or `.json`; of the shapes in an `.svg` ([`svg_outline`]); or of the outline of the faces in an `.off`
+/// ([`off::parse_outline`]).
 ///
 /// # Errors
 /// A [`ReadError`] that names the file, and the line and element where one is to blame. O(file).
@@ -86,6 +89,8 @@ pub fn read_planar_graph(path: &Path) -> Result<PlanarGraph, ReadError> {
     named(path, |format, bytes| match format {
         Format::TrianglePoly => triangle::parse_poly(bytes, || nodes_beside(path)),
         Format::Svg => svg_outline::parse(bytes),
+        Format::GeoJson => geojson::parse(bytes),
+        Format::Off => off::parse_outline(bytes),
         _ => Err(unsupported(format, "a planar graph")),
     })
 }

@@ -1,20 +1,15 @@
 //! Chords joined into a graph where their ends are at one place.
 
-use std::collections::{HashMap, HashSet};
-
 use kurbo::Point;
 
 use super::{DrawingDefect, MOST_POINTS};
+use crate::outline::Outline;
 use crate::planar_graph::PlanarGraph;
 
-/// The graph of the chords so far. The maps are only asked, never walked: the order is that of drawing.
+/// The graph of the chords so far.
 #[derive(Default)]
 pub(super) struct Joined {
-    graph: PlanarGraph,
-    /// The point at a place, by the bits of its coordinates.
-    points: HashMap<[u64; 2], u32>,
-    /// The segments, lesser point first.
-    segments: HashSet<[u32; 2]>,
+    outline: Outline,
 }
 
 impl Joined {
@@ -23,36 +18,22 @@ impl Joined {
         if from == to {
             return Ok(());
         }
-        let (from, to) = (self.point_at(from)?, self.point_at(to)?);
-        if self.segments.insert([from.min(to), from.max(to)]) {
-            self.graph.segments.push([from, to]);
+        let too_many = |_| DrawingDefect::TooManyPoints { limit: MOST_POINTS };
+        let mut point = |at: Point| self.outline.point([at.x, at.y]).map_err(too_many);
+        let ends = [point(from)?, point(to)?];
+        if self.outline.point_count() > MOST_POINTS {
+            return Err(DrawingDefect::TooManyPoints { limit: MOST_POINTS });
         }
+        self.outline.segment(ends, None);
         Ok(())
-    }
-
-    /// The point at a place, made if need be.
-    fn point_at(&mut self, place: Point) -> Result<u32, DrawingDefect> {
-        // Adding zero turns -0.0 into 0.0, so that equal numbers have equal bits.
-        let place = [place.x + 0.0, place.y + 0.0];
-        let next = self.graph.points.len();
-        let point = *self
-            .points
-            .entry(place.map(f64::to_bits))
-            .or_insert(next as u32);
-        if point as usize == next {
-            if next == MOST_POINTS {
-                return Err(DrawingDefect::TooManyPoints { limit: MOST_POINTS });
-            }
-            self.graph.points.push(place);
-        }
-        Ok(point)
     }
 
     /// The graph of all chords.
     pub(super) fn graph(self) -> Result<PlanarGraph, DrawingDefect> {
-        if self.graph.segments.is_empty() {
-            return Err(DrawingDefect::NoOutline);
+        let graph = self.outline.into_graph();
+        match graph.segments.is_empty() {
+            true => Err(DrawingDefect::NoOutline),
+            false => Ok(graph),
         }
-        Ok(self.graph)
     }
 }

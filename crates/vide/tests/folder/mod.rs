@@ -1,4 +1,5 @@
 //! A folder in which the program runs.
+#![allow(dead_code, reason = "every test uses some of it")]
 
 use std::path::PathBuf;
 use std::process::{Command, Output};
