@@ -1,4 +1,4 @@
-//! Outlines in GeoJSON and OFF: a file as it comes from a map, and files that are spoiled.
+//! Outlines in `GeoJSON` and OFF: a file as it comes from a map, and files that are spoiled.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 

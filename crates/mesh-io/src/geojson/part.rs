@@ -1,4 +1,4 @@
-//! A part of a GeoJSON document: what it is called in messages, and what it must hold.
+//! A part of a `GeoJSON` document: what it is called in messages, and what it must hold.
 
 use std::fmt;
 
