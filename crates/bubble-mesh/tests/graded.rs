@@ -135,6 +135,47 @@ fn sizes_make_it_finer_and_what_is_no_size_is_named() {
         let error = mesh(&domain, &params, &mut silent).expect_err("no scale");
         assert!(error.to_string().starts_with("the scale"));
     }
+    for crease in [-0.1, f64::NAN] {
+        let params = GradedParams {
+            sliding: Some(crease),
+            ..params
+        };
+        let error = mesh(&domain, &params, &mut silent).expect_err("no angle");
+        assert!(error.to_string().starts_with("the crease"));
+    }
+}
+
+/// The report closure stops all threads at once, and is not asked again, however it would answer; any number of steps may be asked for.
+#[test]
+fn a_report_that_stops_once_stops_all() {
+    let domain = domain(&[square(8, 0.1)]);
+    let params = GradedParams {
+        trials: 1,
+        ..GradedParams::default()
+    };
+    let stopped_at = |call: usize, params: &GradedParams| {
+        let mut calls = 0;
+        let mut report = |_: Progress| {
+            calls += 1;
+            match calls == call {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
+            }
+        };
+        let mesh = mesh(&domain, params, &mut report).expect("good parameters");
+        (mesh, calls)
+    };
+    for call in 1..8 {
+        let (mesh, calls) = stopped_at(call, &params);
+        assert_eq!((mesh.stop, calls), (Stop::Cancelled, call));
+        check(&domain, &mesh).expect("a valid mesh");
+    }
+    let endless = GradedParams {
+        relaxation: usize::MAX,
+        ..params
+    };
+    let (mesh, _) = stopped_at(9, &endless);
+    assert_eq!(mesh.stop, Stop::Cancelled);
 }
 
 #[test]

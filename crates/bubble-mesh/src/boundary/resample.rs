@@ -10,7 +10,7 @@ use crate::curve::{CurveError, Sampling, SamplingError, Sizes, sample_sized};
 /// How a boundary is sampled anew.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resampling {
-    /// Nodes where the boundary turns by more than this are corners, which stay; radians, π/6.
+    /// Nodes where the boundary turns by more than this are corners, which stay; radians, π/6, from 0 on.
     pub crease: f64,
     /// How fast sizes may grow with the distance, along the boundary and from one part of it to another; 0.2, above 0.
     pub grade: f64,
@@ -54,6 +54,12 @@ pub enum ResampleError {
         segment: usize,
         /// As given.
         vertex: VertexId,
+    },
+    /// The turn at a corner is no angle.
+    #[error("the crease {crease} is not an angle from 0 on")]
+    Crease {
+        /// As given, in radians.
+        crease: f64,
     },
     /// No curve goes through the nodes from one corner to another.
     #[error("the boundary at segment {segment} is no curve: {error}")]
@@ -106,7 +112,11 @@ pub fn resample(
     if let Some((segment, vertex)) = ends.find(|(_, v)| v.index() >= points.len()) {
         return Err(ResampleError::NoSuchVertex { segment, vertex });
     }
-    let chains = chains(points, segments, resampling.crease, alike);
+    let crease = resampling.crease;
+    if crease.is_nan() || crease < 0.0 {
+        return Err(ResampleError::Crease { crease });
+    }
+    let chains = chains(points, segments, crease, alike);
     let curves = chains.iter().map(|chain| {
         let segment = chain.segment;
         let curve = chain.curve(points);
@@ -195,7 +205,12 @@ mod tests {
             ..usual
         };
         let small = Resampling { size: 0.0, ..usual };
+        let turned = Resampling {
+            crease: f64::NAN,
+            ..usual
+        };
         let mut found = vec![
+            error(&points, &segments, turned),
             error(&points, &segments, few),
             error(&points, &segments, flat),
             error(&points, &segments, small),

@@ -77,7 +77,7 @@ pub fn mesh_sized(
     let places = domain.region().points().iter().copied();
     let nodes = places.zip(sizes.iter().copied());
     let field = SizeField::new(nodes, params.scale, params.grade, sizing);
-    let report = Mutex::new(report);
+    let report = Mutex::new(Some(report));
     let start = |order: Order| start(domain, &sizes, &field, order, params, &mut told(&report));
     let (layers, gaps) = rayon::join(|| start(Order::LayersFirst), || start(Order::LargestFirst));
     let (layers, gaps) = (layers?, gaps?);
@@ -94,14 +94,23 @@ pub fn mesh_sized(
     Ok(mesh)
 }
 
+/// The closure of the caller, which all threads report through; none once it has stopped one of them, so that it stops all.
+type Told<'a> = Mutex<Option<&'a mut (dyn FnMut(Progress) -> ControlFlow<()> + Send)>>;
+
 /// A closure for one thread that reports through that of all.
-fn told<'a>(
-    report: &'a Mutex<&mut (dyn FnMut(Progress) -> ControlFlow<()> + Send)>,
-) -> impl FnMut(Progress) -> ControlFlow<()> + 'a {
-    move |progress| match report.lock() {
-        Ok(mut report) => report(progress),
-        // Another thread has panicked in the closure.
-        Err(_) => ControlFlow::Break(()),
+fn told<'a>(report: &'a Told<'_>) -> impl FnMut(Progress) -> ControlFlow<()> + 'a {
+    move |progress| {
+        // Without a lock another thread has panicked in the closure.
+        let Ok(mut report) = report.lock() else {
+            return ControlFlow::Break(());
+        };
+        let flow = report
+            .as_mut()
+            .map_or(ControlFlow::Break(()), |report| report(progress));
+        if flow.is_break() {
+            *report = None;
+        }
+        flow
     }
 }
 

@@ -18,8 +18,8 @@ pub struct GradedParams {
     pub trials: usize,
     /// How fast sizes may grow with the distance from a boundary node; 0.5, above 0. They are means of the boundary's sizes else.
     pub grade: f64,
-    /// Boundary nodes slide along the smooth curve through them where the boundary turns by at most this angle, in radians; without it,
-    /// which is usual, all of them stay where they are.
+    /// Boundary nodes slide along the smooth curve through them where the boundary turns by at most this angle, in radians, from 0 on;
+    /// without it, which is usual, all of them stay where they are.
     pub sliding: Option<f64>,
     /// At most this many nodes, those of the boundary included; a million.
     pub nodes: usize,
@@ -71,6 +71,12 @@ pub enum GradedError {
         /// As given.
         grade: f64,
     },
+    /// The angle up to which boundary nodes slide is none.
+    #[error("the crease {crease} is not an angle from 0 on")]
+    Crease {
+        /// As given, in radians.
+        crease: f64,
+    },
     /// The caller's size is no size.
     #[error("the size at ({}, {}) is {size}, not a finite number above 0", .place.x, .place.y)]
     Size {
@@ -89,9 +95,12 @@ impl GradedParams {
             return Err(GradedError::Scale { scale });
         }
         let grade = self.grade;
-        match is_positive(grade) {
-            true => Ok(()),
-            false => Err(GradedError::Grade { grade }),
+        if !is_positive(grade) {
+            return Err(GradedError::Grade { grade });
+        }
+        match self.sliding {
+            Some(crease) if crease.is_nan() || crease < 0.0 => Err(GradedError::Crease { crease }),
+            _ => Ok(()),
         }
     }
 }

@@ -40,7 +40,7 @@ pub(super) fn relax(
         let end = (step + STRIDE).min(steps);
         for step in step..end {
             // The last steps settle.
-            swarm.step(if 3 * step < 2 * steps {
+            swarm.step(if step < steps - steps / 3 {
                 STEP
             } else {
                 0.5 * STEP
