@@ -182,9 +182,10 @@ fn a_report_that_stops_once_stops_all() {
 fn a_budget_and_the_report_end_it_with_a_valid_mesh() {
     let domain = domain(&[square(20, 0.1), circle(DVec2::new(0.4, 0.5), 0.2, even(40))]);
     let given = domain.region().points().len();
-    for nodes in [0, given, given + 7, given + 100] {
+    for (nodes, trials) in [(0, 0), (given, 50), (given + 7, 50), (given + 100, 0)] {
         let params = GradedParams {
             nodes,
+            trials,
             ..GradedParams::default()
         };
         let mesh = mesh(&domain, &params, &mut silent).expect("good parameters");

@@ -191,7 +191,7 @@ impl GradedMesh {
     ) -> Result<(), Cancelled> {
         if params.trials > 0 {
             let mut meter = Meter::start(report, "search", params.trials)?;
-            search(&mut self.complex, params.trials, &mut meter)?;
+            search(&mut self.complex, params.trials, params.nodes, &mut meter)?;
             optimize(&mut self.complex, first_sweeps(params), &mut meter)?;
         }
         if let Some(crease) = params.sliding {

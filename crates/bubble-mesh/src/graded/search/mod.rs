@@ -33,13 +33,14 @@ const LEAST_GAIN: f64 = 1e-4;
 const FREE_COUNT: f64 = 0.003;
 const STIFFNESS: f64 = 5.0;
 
-/// Tries so many changes, the worst triangles first. The same on any number of threads.
+/// Tries so many changes, the worst triangles first; none that adds a node where there are so many `nodes`. The same on any number of threads.
 ///
 /// # Errors
 /// When the meter stops it; the mesh is valid then too.
 pub(super) fn search(
     complex: &mut Complex2,
     trials: usize,
+    nodes: usize,
     meter: &mut Meter<'_>,
 ) -> Result<(), Cancelled> {
     let mut search = Search::of(complex);
@@ -48,7 +49,13 @@ pub(super) fn search(
         && let Some(face) = search.worst(complex)
     {
         let mut proposals = proposals(complex, face);
+        if complex.points().len() >= nodes {
+            proposals.retain(|proposal| !proposal.adds_a_node());
+        }
         proposals.truncate(left);
+        if proposals.is_empty() {
+            continue;
+        }
         left -= proposals.len();
         for _ in &proposals {
             meter.advance()?;

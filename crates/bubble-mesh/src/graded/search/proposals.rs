@@ -31,6 +31,13 @@ pub(super) enum Proposal {
     Insert([VertexId; 3]),
 }
 
+impl Proposal {
+    /// Whether there is one node more then.
+    pub(super) fn adds_a_node(&self) -> bool {
+        matches!(self, Self::Split { .. } | Self::Insert(_))
+    }
+}
+
 /// The changes to be tried for a triangle.
 pub(super) fn proposals(complex: &Complex2, face: FaceId) -> Vec<Proposal> {
     let mesh = complex.mesh();
