@@ -35,8 +35,8 @@ impl NodeSpacing {
     pub const SHARP: f64 = std::f64::consts::FRAC_PI_4;
     /// Sizes that change by more than this are steep.
     pub const STEEP: f64 = 0.5;
-    /// Gaps narrower than this are narrow.
-    pub const NARROW: f64 = 0.75;
+    /// Gaps narrower than this are narrow: there is room for one row of triangles and a part of another.
+    pub const NARROW: f64 = 1.5;
 
     /// Of a node that sees nothing.
     const FREE: Self = Self {

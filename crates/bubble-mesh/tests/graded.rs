@@ -362,6 +362,23 @@ proptest! {
     }
 }
 
+/// The way round in a gap of 1.3 edges, which is too wide for one row of triangles and too narrow for two.
+#[test]
+fn a_narrow_spiral_has_it_said_against_it() {
+    let (count, turns, width) = (66, 1.972_998_071_207_734, 0.287_402_882_440_429_83);
+    let at = |i: usize, out: f64| {
+        let turn = turns * i as f64 / count as f64;
+        (1.0 + turn + out) * DVec2::from_angle(turn * TAU)
+    };
+    let there = (0..=count).map(|i| at(i, 0.0));
+    let back = (0..=count).rev().map(|i| at(i, width));
+    let domain = domain(&[there.chain(back).collect()]);
+    let mesh = meshed(&domain).complex;
+    let spacing = Spacing::of(&domain);
+    let mut triangles = mesh.faces().map(|f| mesh.triangle(f));
+    assert!(triangles.all(|t| radius_ratio(t) >= 0.7 || spacing.against(t).is_some()));
+}
+
 /// A small fine hole in a coarse region: sizes do not grow faster than they may.
 #[test]
 fn a_hole_much_finer_than_the_rest_has_no_poor_triangle() {

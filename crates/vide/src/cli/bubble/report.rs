@@ -47,7 +47,7 @@ struct Poor {
     at_sharp_corners: usize,
     /// or else near edges of the outline whose lengths differ by more than half their distance,
     at_steep_sizes: usize,
-    /// or else near a gap narrower than three quarters of an edge beside it.
+    /// or else near a gap narrower than one and a half edges beside it.
     in_narrow_gaps: usize,
     worst: Vec<PoorTriangle>,
 }
@@ -152,8 +152,7 @@ pub(super) fn summary(report: &Report) -> String {
     let found = match poor.count {
         0 => "none below a radius ratio of 0.7".to_owned(),
         count => format!(
-            "{count} below a radius ratio of 0.7: {} at sharp corners of the outline, {} where its edges change steeply, {} in gaps \
-            narrower than its edges",
+            "{count} below a radius ratio of 0.7: {} at sharp corners of the outline, {} where its edges change steeply, {} in narrow gaps",
             poor.at_sharp_corners, poor.at_steep_sizes, poor.in_narrow_gaps
         ),
     };
