@@ -10,7 +10,7 @@ use delaunay_core::{FaceId, HalfEdgeId, SeedError, TriMesh, VertexId};
 use glam::DVec2;
 use mesh_io::{Cell, Cells, DataArray, Mesh, PlanarGraph};
 
-use crate::plane::GivenRegion;
+use crate::plane::{GivenRegion, seed_text};
 
 /// The name of the numbers that regions carry, in files.
 pub const ATTRIBUTE: &str = "region";
@@ -34,12 +34,34 @@ struct Side {
     part: usize,
 }
 
+/// Why the regions of a graph are not known.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MarksError {
+    /// The seed of a region names no part.
+    #[error("region {}", seed_text(.0))]
+    Seed(SeedError),
+    /// The seed of a region is in a hole.
+    #[error("the point of region {region} is in a hole")]
+    InHole {
+        /// Its index.
+        region: usize,
+    },
+    /// Two regions with different numbers are one, as no segments separate them.
+    #[error("regions {first} and {second} are not separated, but have different numbers")]
+    SamePart {
+        /// The index of one.
+        first: usize,
+        /// That of the other.
+        second: usize,
+    },
+}
+
 impl Marks {
     /// The marks of a graph, where it has any. Takes n log n time.
     ///
     /// # Errors
-    /// The first seed of a region that names no part.
-    pub fn of(graph: &PlanarGraph, region: &GivenRegion) -> Result<Self, SeedError> {
+    /// The first region whose seed names no part, or one that is a hole or has another number already.
+    pub fn of(graph: &PlanarGraph, region: &GivenRegion) -> Result<Self, MarksError> {
         let (triangulation, components) = (region.triangulation(), region.components());
         let mesh = triangulation.mesh();
         let is_inside =
@@ -55,14 +77,21 @@ impl Marks {
             .iter()
             .map(|region| region.seed.into())
             .collect();
-        let parts = triangulation.parts_at(components, &seeds)?;
-        let attributes = (!seeds.is_empty()).then(|| {
-            let mut attributes = vec![0.0; components.count()];
-            for (part, region) in parts.into_iter().zip(&graph.regions) {
-                attributes[part] = region.attribute;
+        let parts = triangulation.parts_at(components, &seeds);
+        let parts = parts.map_err(MarksError::Seed)?;
+        let mut first: Vec<Option<usize>> = vec![None; components.count()];
+        for (index, &part) in parts.iter().enumerate() {
+            if !region.has_inside(part) {
+                return Err(MarksError::InHole { region: index });
             }
-            attributes
-        });
+            let first = *first[part].get_or_insert(index);
+            if graph.regions[first].attribute != graph.regions[index].attribute {
+                let second = index;
+                return Err(MarksError::SamePart { first, second });
+            }
+        }
+        let attribute = |first: &Option<usize>| first.map_or(0.0, |i| graph.regions[i].attribute);
+        let attributes = (!seeds.is_empty()).then(|| first.iter().map(attribute).collect());
         Ok(Self {
             given: triangulation.points().len(),
             points: graph.point_markers.clone(),

@@ -111,6 +111,15 @@ impl GivenRegion {
         self.inside[self.components.of(f)]
     }
 
+    /// Whether a part that the segments separate is inside.
+    ///
+    /// # Panics
+    /// When there is no such part.
+    #[must_use]
+    pub fn has_inside(&self, part: usize) -> bool {
+        self.inside[part]
+    }
+
     /// What is inside, cut apart along inner segments. Takes linear time.
     #[must_use]
     pub fn subcomplex(&self) -> Subcomplex2 {
@@ -146,7 +155,7 @@ fn inside(
 }
 
 /// The error without the first word.
-fn seed_text(error: &SeedError) -> String {
+pub(crate) fn seed_text(error: &SeedError) -> String {
     let text = error.to_string();
     text.strip_prefix("seed ")
         .map_or(text.clone(), str::to_owned)

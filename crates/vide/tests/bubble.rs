@@ -207,6 +207,21 @@ fn markers_of_points_segments_and_regions_come_out_again() {
 }
 
 #[test]
+fn regions_that_are_none_are_named() {
+    let with = |regions: &str| {
+        let text = MARKED.replace("2\n0 0.1 0.5 7\n1 1.1 0.5 -3\n", regions);
+        let folder = Folder::with(&[("in.poly", text.as_str())]);
+        folder.error(&["bubble", "in.poly", "-o", "out.vtu"])
+    };
+    let errors = [
+        with("1\n0 1.5 0.5 7\n"),
+        with("2\n0 0.1 0.5 7\n1 0.2 0.5 8\n"),
+        with("1\n0 1 0.5 7\n"),
+    ];
+    insta::assert_snapshot!(errors.concat());
+}
+
+#[test]
 fn nodes_of_the_outline_stay_slide_or_are_placed_anew() {
     let folder = Folder::with(&[("region.poly", REGION)]);
     let mesh = |options: &str| {

@@ -252,7 +252,7 @@ fn regions_of_an_outline_have_no_larger_triangles_than_their_limits() {
     assert!(2 * small > 3 * plain, "{small} {plain}");
     let error = folder.error(&["refine", "outside.poly", "-o", "out.vtu"]);
     assert!(
-        error.contains("outside.poly: region seed 0 at (2, 0.5) is outside"),
+        error.contains("outside.poly: region 0 at (2, 0.5) is outside"),
         "{error}"
     );
 }

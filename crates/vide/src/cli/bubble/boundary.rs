@@ -97,7 +97,7 @@ fn triangulated(
     let region = GivenRegion::of(outline, crossings, Common::build_options(), &mut report);
     let region = region.map_err(|error| failed(&error))?;
     let marks = Marks::of(outline, &region);
-    let marks = marks.map_err(|error| failed(&format_args!("region {error}")))?;
+    let marks = marks.map_err(|error| failed(&error))?;
     let domain = Domain::of(region.subcomplex()).map_err(|error| failed(&error))?;
     Ok(Region { domain, marks })
 }

@@ -62,7 +62,7 @@ fn triangulate(
     let region = GivenRegion::of(outline, Crossings::Refuse, options, &mut report);
     let region = region.map_err(|error| failed(args, error))?;
     let marks = Marks::of(outline, &region);
-    let marks = marks.map_err(|error| failed(args, format_args!("region {error}")))?;
+    let marks = marks.map_err(|error| failed(args, error))?;
     Ok((region.subcomplex(), marks))
 }
 
