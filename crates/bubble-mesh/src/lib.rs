@@ -15,6 +15,7 @@ mod boundary;
 mod bubble;
 pub mod curve;
 mod domain;
+mod envelope;
 mod error;
 pub mod graded;
 pub mod paper;

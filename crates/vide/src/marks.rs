@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use delaunay_core::{FaceId, HalfEdgeId, SeedError, TriMesh, VertexId};
 use glam::DVec2;
-use mesh_io::{Cell, Cells, DataArray, Mesh, PlanarGraph};
+use mesh_io::{Cell, DataArray, Mesh, PlanarGraph};
 
 use crate::plane::{GivenRegion, seed_text};
 
@@ -104,68 +104,37 @@ impl Marks {
     /// Gives a mesh of the region, as [`region_mesh`](crate::convert::region_mesh) makes it from the triangles of `triangles`, the markers
     /// of points, 0 inside, and the numbers of regions: as cell data, and as cell markers where they are whole.
     ///
-    /// Takes linear time and that of finding the segments.
-    pub fn mark(&self, mesh: &mut Mesh, faces: &[FaceId], triangles: &TriMesh) {
+    /// Where segments have markers the answer is the mesh with the edges of the boundary, and those between regions, as further
+    /// cells with these markers; they follow the triangles, sorted by their ends. Takes n log n time.
+    pub fn mark(&self, mesh: &mut Mesh, faces: &[FaceId], triangles: &TriMesh) -> Option<Mesh> {
+        let used = (0..)
+            .map(VertexId::new)
+            .filter(|&v| triangles.outgoing(v).is_some());
+        let vertices: Vec<VertexId> = used.take(mesh.points.len()).collect();
+        let edges = self.edges(triangles);
         if let Some(points) = &self.points {
-            let used = (0..)
-                .map(VertexId::new)
-                .filter(|&v| triangles.outgoing(v).is_some());
-            let marker = |v: VertexId| points.get(v.index()).copied().unwrap_or(0);
-            let markers = used.take(mesh.points.len()).map(marker);
-            mesh.point_markers = Some(markers.collect());
+            let marker = |v: &VertexId| points.get(v.index()).copied().unwrap_or(0);
+            mesh.point_markers = Some(vertices.iter().map(marker).collect());
         }
-        let Some(attributes) = &self.attributes else {
-            return;
-        };
-        let parts = self.parts(triangles);
-        let of = |f: &FaceId| parts[f.index()].map_or(0.0, |part| attributes[part]);
-        let values: Vec<f64> = faces.iter().map(of).collect();
-        let whole = |value: &f64| {
-            let marker = *value as i32;
-            (f64::from(marker) == *value).then_some(marker)
-        };
-        mesh.cell_markers = values.iter().map(whole).collect();
-        mesh.cell_data.push(DataArray::scalar(ATTRIBUTE, values));
-    }
-
-    /// A mesh with the edges of the boundary, and those between regions, as further cells, with the markers of their segments; the mesh
-    /// itself where segments have none. The edges follow the triangles, sorted by their ends.
-    #[must_use]
-    pub fn with_edges(&self, mesh: &Mesh, triangles: &TriMesh) -> Option<Mesh> {
+        if let Some(attributes) = &self.attributes {
+            let parts = parts(triangles, &edges);
+            let of = |f: &FaceId| parts[f.index()].map_or(0.0, |part| attributes[part]);
+            let values: Vec<f64> = faces.iter().map(of).collect();
+            let whole = |value: &f64| {
+                let marker = *value as i32;
+                (f64::from(marker) == *value).then_some(marker)
+            };
+            mesh.cell_markers = values.iter().map(whole).collect();
+            mesh.cell_data.push(DataArray::scalar(ATTRIBUTE, values));
+        }
         let segments = self.segments.as_ref()?;
-        let mut numbers = BTreeMap::new();
-        let used = (0..).map(VertexId::new).take(self.slots(triangles));
-        for v in used.filter(|&v| triangles.outgoing(v).is_some()) {
-            numbers.insert(v, numbers.len() as u32);
-        }
-        let mut edges = BTreeMap::new();
-        for (h, side) in self.edges(triangles) {
-            let ends = [triangles.origin(h), triangles.target(h)].map(|v| numbers[&v]);
+        let number = |v: VertexId| vertices.partition_point(|&w| w < v) as u32;
+        let marked = edges.iter().map(|&(h, side)| {
+            let [a, b] = [triangles.origin(h), triangles.target(h)].map(number);
             let marker = segments.get(side.segment).copied().unwrap_or(0);
-            edges.insert([ends[0].min(ends[1]), ends[0].max(ends[1])], marker);
-        }
-        let mut marked = mesh.clone();
-        let mut cells: Vec<Cell> = mesh.cells.iter().collect();
-        cells.extend(edges.keys().copied().map(Cell::Segment));
-        marked.cells = Cells::from_iter(cells);
-        let mut markers = mesh
-            .cell_markers
-            .clone()
-            .unwrap_or_else(|| vec![0; mesh.cells.len()]);
-        markers.extend(edges.values());
-        marked.cell_markers = Some(markers);
-        for data in &mut marked.cell_data {
-            data.values
-                .resize(marked.cells.len() * data.components, 0.0);
-        }
-        Some(marked)
-    }
-
-    /// One more than the greatest vertex index.
-    fn slots(&self, triangles: &TriMesh) -> usize {
-        let origins = triangles.half_edges().map(|h| triangles.origin(h));
-        let real = origins.filter(|v| !v.is_ghost()).map(|v| v.index() + 1);
-        real.max().unwrap_or(0)
+            ([a.min(b), a.max(b)], marker)
+        });
+        Some(with_edges(mesh, &marked.collect()))
     }
 
     /// The half-edges on the boundary from inside, with what lies along their segments.
@@ -194,27 +163,44 @@ impl Marks {
         }
         found
     }
+}
 
-    /// By face, its part.
-    fn parts(&self, triangles: &TriMesh) -> Vec<Option<usize>> {
-        let mut parts = vec![None; triangles.face_count()];
-        let mut pending = Vec::new();
-        for (h, side) in self.edges(triangles) {
-            let first = h.face();
-            if parts[first.index()].is_some() {
-                continue;
-            }
-            parts[first.index()] = Some(side.part);
-            pending.push(first);
-            while let Some(f) = pending.pop() {
-                for across in f.half_edges().map(|h| triangles.twin(h).face()) {
-                    if !triangles.is_ghost_face(across) && parts[across.index()].is_none() {
-                        parts[across.index()] = Some(side.part);
-                        pending.push(across);
-                    }
+/// A mesh with segments as further cells, each with its marker.
+fn with_edges(mesh: &Mesh, edges: &BTreeMap<[u32; 2], i32>) -> Mesh {
+    let mut marked = mesh.clone();
+    for &ends in edges.keys() {
+        marked.cells.push(Cell::Segment(ends));
+    }
+    let markers = marked.cell_markers.take();
+    let mut markers = markers.unwrap_or_else(|| vec![0; mesh.cells.len()]);
+    markers.extend(edges.values());
+    marked.cell_markers = Some(markers);
+    for data in &mut marked.cell_data {
+        data.values
+            .resize(marked.cells.len() * data.components, 0.0);
+    }
+    marked
+}
+
+/// By face, its part; `edges` are on the boundary of all of them.
+fn parts(triangles: &TriMesh, edges: &[(HalfEdgeId, Side)]) -> Vec<Option<usize>> {
+    let mut parts = vec![None; triangles.face_count()];
+    let mut pending = Vec::new();
+    for (h, side) in edges {
+        let first = h.face();
+        if parts[first.index()].is_some() {
+            continue;
+        }
+        parts[first.index()] = Some(side.part);
+        pending.push(first);
+        while let Some(f) = pending.pop() {
+            for across in f.half_edges().map(|h| triangles.twin(h).face()) {
+                if !triangles.is_ghost_face(across) && parts[across.index()].is_none() {
+                    parts[across.index()] = Some(side.part);
+                    pending.push(across);
                 }
             }
         }
-        parts
     }
+    parts
 }

@@ -60,7 +60,7 @@
 //! | formulas for places, derivatives and lengths | `stretch.rs`, `spline.rs`, `interval.rs` |
 //! | curves of pieces, judged | `piece.rs`, `chain.rs` |
 //! | sizes along a curve | `track.rs` |
-//! | sizes that grow slowly in the plane | `grade.rs` |
+//! | sizes that grow slowly in the plane | `grade.rs`, and `envelope.rs` beside this folder |
 //! | nodes at equal shares | `place.rs` |
 //! | edges that stray too far | `stray.rs` |
 //! | the whole, step by step | `sample.rs`, `sampled.rs`, `params.rs` |

@@ -10,6 +10,7 @@
 use glam::DVec2;
 
 use super::params::GradedError;
+use crate::envelope::{Cone, Envelope};
 
 /// A box of nodes counts as one when it is this many times as far away as it is wide.
 const FAR: f64 = 2.5;
@@ -23,17 +24,12 @@ pub type Sizing<'a> = &'a (dyn Fn(DVec2) -> f64 + Sync);
 /// Sizes in the plane: from those of nodes, and at most the caller's.
 #[derive(Clone)]
 pub(super) struct SizeField<'a> {
-    nodes: Vec<Node>,
+    nodes: Vec<Cone>,
     boxes: Vec<Group>,
+    /// What the nodes permit, when sizes grow with the distance as they may.
+    permitted: Envelope,
     scale: f64,
-    grade: f64,
     sizing: Option<Sizing<'a>>,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Node {
-    place: DVec2,
-    size: f64,
 }
 
 /// Consecutive nodes, as one.
@@ -45,8 +41,6 @@ struct Group {
     skip: u32,
     low: DVec2,
     high: DVec2,
-    /// The smallest size.
-    least: f64,
     /// The mean place, weighted by size.
     center: DVec2,
     sizes: f64,
@@ -61,11 +55,12 @@ impl<'a> SizeField<'a> {
         grade: f64,
         sizing: Option<Sizing<'a>>,
     ) -> Self {
+        let nodes: Vec<Cone> = nodes.map(|(place, size)| Cone { place, size }).collect();
         let mut field = Self {
-            nodes: nodes.map(|(place, size)| Node { place, size }).collect(),
+            permitted: Envelope::of(nodes.clone(), grade),
+            nodes,
             boxes: Vec::new(),
             scale,
-            grade,
             sizing,
         };
         field.divide(0, field.nodes.len());
@@ -77,7 +72,7 @@ impl<'a> SizeField<'a> {
     /// # Errors
     /// The caller's size when it is not a finite number above zero.
     pub(super) fn at(&self, place: DVec2) -> Result<f64, GradedError> {
-        let of_boundary = self.scale * self.permitted(place, self.of_boundary(place));
+        let of_boundary = self.scale * self.permitted.at(place, self.of_boundary(place));
         let Some(sizing) = self.sizing else {
             return Ok(of_boundary);
         };
@@ -91,26 +86,6 @@ impl<'a> SizeField<'a> {
     /// Whether the caller has a say.
     pub(super) fn is_sized(&self) -> bool {
         self.sizing.is_some()
-    }
-
-    /// The least that the nodes permit, when sizes grow with the distance as they may, or what is asked for.
-    fn permitted(&self, place: DVec2, asked: f64) -> f64 {
-        let (grade, mut least) = (self.grade, asked);
-        let mut next = 0;
-        while let Some(group) = self.boxes.get(next) {
-            let nearest = place.clamp(group.low, group.high);
-            if group.least + grade * nearest.distance(place) >= least {
-                next = group.skip as usize;
-                continue;
-            }
-            next += 1;
-            if next == group.skip as usize {
-                for node in &self.nodes[group.first as usize..group.end as usize] {
-                    least = least.min(node.size + grade * node.place.distance(place));
-                }
-            }
-        }
-        least
     }
 
     /// The mean of what the nodes say.
@@ -144,7 +119,7 @@ impl<'a> SizeField<'a> {
     /// Lists the box of some nodes and those that it is divided into, half of its nodes each.
     fn divide(&mut self, first: usize, end: usize) {
         let nodes = &mut self.nodes[first..end];
-        let sum = |part: fn(&Node) -> f64| nodes.iter().map(part).sum::<f64>();
+        let sum = |part: fn(&Cone) -> f64| nodes.iter().map(part).sum::<f64>();
         let low = nodes
             .iter()
             .fold(DVec2::INFINITY, |low, node| low.min(node.place));
@@ -160,16 +135,13 @@ impl<'a> SizeField<'a> {
             skip: 0,
             low,
             high,
-            least: nodes
-                .iter()
-                .fold(f64::INFINITY, |least, node| least.min(node.size)),
             center: moment / sizes,
             sizes,
             squares: sum(|node| node.size * node.size),
         });
         let (half, wide) = (nodes.len() / 2, high - low);
         if nodes.len() > LEAF {
-            let along = |node: &Node| {
+            let along = |node: &Cone| {
                 if wide.x >= wide.y {
                     node.place.x
                 } else {

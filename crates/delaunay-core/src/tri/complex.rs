@@ -170,18 +170,7 @@ impl Complex2 {
     /// Moves `v` when it is inside and all its triangles stay counterclockwise; tells whether it did. Takes time proportional to its
     /// degree.
     pub fn move_vertex(&mut self, v: VertexId, p: DVec2) -> bool {
-        if !self.is_inner(v) || check_point2(0, p).is_err() {
-            return false;
-        }
-        let fits = |h: HalfEdgeId| {
-            let [a, b] = [self.mesh.origin(h), self.mesh.target(h)].map(|v| self.point(v));
-            self.is_counterclockwise([p, a, b])
-        };
-        let moves = self.mesh.link(v).all(fits);
-        if moves {
-            self.coords[v.slot()] = p + DVec2::ZERO;
-        }
-        moves
+        self.is_inner(v) && self.move_boundary_vertex(v, p)
     }
 
     /// Moves `v` when all its triangles stay counterclockwise, also when it is on the boundary, which changes then; tells whether it

@@ -8,9 +8,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use vide::bubble_mesh::graded::{GradedParams, Stop, mesh_sized};
-use vide::bubble_mesh::{Domain, paper};
+use vide::bubble_mesh::paper;
 use vide::convert::{region_mesh, triangles_mesh};
-use vide::delaunay_core::{FaceId, TriMesh};
 use vide::glam::DVec2;
 use vide::mesh_io::{Format, Mesh, PlanarGraph};
 use vide::picture::triangle_picture;
@@ -21,6 +20,7 @@ use super::failure::Failure;
 use super::outline::{Given, read_given, without_loose_points};
 use super::output::{check_formats, check_places, write_marked, write_together};
 use super::progress::Watch;
+use super::refine::parse_crease;
 use super::report::Report;
 use boundary::{AtBoundary, AtCrossings, Region, region};
 
@@ -56,7 +56,7 @@ pub(crate) struct BubbleArgs {
     #[arg(long, value_enum, default_value_t = AtBoundary::Fixed)]
     boundary: AtBoundary,
     /// Nodes where the outline turns by more than DEG degrees are corners
-    #[arg(long, value_name = "DEG", value_parser = angle, default_value_t = 30.0)]
+    #[arg(long, value_name = "DEG", value_parser = parse_crease, default_value_t = 30.0)]
     crease: f64,
     /// So many changes of connectivity are tried, the worst triangles first; a thousand for a thousand nodes make good meshes very
     /// good
@@ -90,18 +90,11 @@ fn positive(text: &str) -> Result<f64, String> {
     }
 }
 
-fn angle(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(angle) if (0.0..=180.0).contains(&angle) => Ok(angle),
-        _ => Err("an angle is a number of degrees from 0 to 180".to_owned()),
-    }
-}
-
-/// A mesh, which faces its cells are, and of what.
+/// What came out, ready to be written.
 struct Meshed {
     mesh: Mesh,
-    faces: Vec<FaceId>,
-    triangles: TriMesh,
+    /// The mesh with the marked edges of its boundary, where there are any.
+    with_edges: Option<Mesh>,
     stop: super::report::Stop,
 }
 
@@ -113,19 +106,20 @@ pub(crate) fn run(args: &BubbleArgs) -> Result<(), Failure> {
     let mut watch = Watch::new(args.common.quiet);
     let outline = watch.stage("read", |_| read(&args.input))?;
     let region = watch.stage("triangulate", |watch| region(args, &outline, watch))?;
-    let Region { domain, marks } = &region;
-    let mut meshed = match args.paper {
-        true => by_the_paper(args, domain, &mut watch)?,
-        false => graded(args, domain, &mut watch)?,
+    let meshed = match args.paper {
+        true => by_the_paper(args, &region, &mut watch)?,
+        false => graded(args, &region, &mut watch)?,
     };
-    marks.mark(&mut meshed.mesh, &meshed.faces, &meshed.triangles);
-    let with_edges = marks.with_edges(&meshed.mesh, &meshed.triangles);
-    let Meshed { mesh, stop, .. } = meshed;
+    let Meshed {
+        mesh,
+        with_edges,
+        stop,
+    } = meshed;
     let mut report = Report {
         dimension: Some(2),
         vertices: mesh.points.len(),
         elements: mesh.cells.len(),
-        bubbles: Some(Bubbles::of(args.paper, domain, &mesh)),
+        bubbles: Some(Bubbles::of(args.paper, &region.domain, &mesh)),
         stop,
         ..Report::default()
     };
@@ -158,7 +152,8 @@ fn read(input: &Path) -> Result<PlanarGraph, Failure> {
     }
 }
 
-fn graded(args: &BubbleArgs, domain: &Domain, watch: &mut Watch) -> Result<Meshed, Failure> {
+fn graded(args: &BubbleArgs, region: &Region, watch: &mut Watch) -> Result<Meshed, Failure> {
+    let Region { domain, marks } = region;
     let usual = GradedParams::default();
     let crease = args.crease.to_radians();
     let params = GradedParams {
@@ -177,11 +172,10 @@ fn graded(args: &BubbleArgs, domain: &Domain, watch: &mut Watch) -> Result<Meshe
         })
     });
     let meshed = meshed.map_err(|error| Failure::input(&args.input, error))?;
-    let (mesh, faces) = triangles_mesh(&meshed.complex);
+    let (mut mesh, faces) = triangles_mesh(&meshed.complex);
     Ok(Meshed {
+        with_edges: marks.mark(&mut mesh, &faces, meshed.complex.mesh()),
         mesh,
-        faces,
-        triangles: meshed.complex.mesh().clone(),
         stop: stop(meshed.stop),
     })
 }
@@ -194,7 +188,8 @@ fn stop(stop: Stop) -> super::report::Stop {
     }
 }
 
-fn by_the_paper(args: &BubbleArgs, domain: &Domain, watch: &mut Watch) -> Result<Meshed, Failure> {
+fn by_the_paper(args: &BubbleArgs, region: &Region, watch: &mut Watch) -> Result<Meshed, Failure> {
+    let Region { domain, marks } = region;
     let usual = paper::Params::paper();
     let params = paper::Params {
         nodes: args.max_nodes,
@@ -214,11 +209,10 @@ fn by_the_paper(args: &BubbleArgs, domain: &Domain, watch: &mut Watch) -> Result
         paper::Stop::OutOfRoom => super::report::Stop::NothingToInsert,
         paper::Stop::Cancelled => super::report::Stop::Cancelled,
     };
-    let (mesh, faces) = region_mesh(&optimized.region);
+    let (mut mesh, faces) = region_mesh(&optimized.region);
     Ok(Meshed {
+        with_edges: marks.mark(&mut mesh, &faces, optimized.region.mesh()),
         mesh,
-        faces,
-        triangles: optimized.region.mesh().clone(),
         stop,
     })
 }

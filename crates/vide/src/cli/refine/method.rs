@@ -40,7 +40,7 @@ pub(super) enum Coarsen {
 ///
 /// # Errors
 /// What is wrong with it.
-pub(super) fn parse_crease(text: &str) -> Result<f64, String> {
+pub(crate) fn parse_crease(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(angle) if (0.0..=180.0).contains(&angle) => Ok(angle),
         _ => Err("an angle is a number of degrees from 0 to 180".to_owned()),

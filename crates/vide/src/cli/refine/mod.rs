@@ -22,6 +22,7 @@ use super::progress::Watch;
 use super::report::Report;
 
 pub(crate) use improve::Improvement;
+pub(crate) use method::parse_crease;
 pub(crate) use report::Refinement;
 
 #[derive(Args)]

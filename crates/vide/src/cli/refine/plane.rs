@@ -74,8 +74,7 @@ fn refined(
     marks: &Marks,
 ) -> Refined {
     let (mut mesh, faces) = region_mesh(&outcome.region);
-    marks.mark(&mut mesh, &faces, outcome.region.mesh());
-    let with_edges = marks.with_edges(&mesh, outcome.region.mesh());
+    let with_edges = marks.mark(&mut mesh, &faces, outcome.region.mesh());
     let report = Report {
         dimension: Some(2),
         vertices: mesh.points.len(),
