@@ -68,6 +68,13 @@ impl Domain {
         &self.region
     }
 
+    /// The edges of the boundary as pairs of nodes, with the region on the left; those with the region on both sides come twice.
+    pub fn segments(&self) -> impl Iterator<Item = [VertexId; 2]> + '_ {
+        let mesh = self.region.mesh();
+        let half_edges = self.region.boundary();
+        half_edges.map(|h| [mesh.origin(h), mesh.target(h)])
+    }
+
     /// The bubbles of the boundary nodes, by vertex. Source: eq. 1 and 2.
     #[must_use]
     pub fn bubbles(&self) -> &[Bubble] {

@@ -293,9 +293,7 @@ fn boundary_nodes_that_slide_or_are_sampled_anew_make_better_triangles() {
 
 fn sampled_anew(domain: &Domain) -> Domain {
     let region = domain.region();
-    let mesh = region.mesh();
-    let ends = |h: HalfEdgeId| [mesh.origin(h), mesh.target(h)];
-    let segments: Vec<_> = region.boundary().map(ends).collect();
+    let segments: Vec<_> = domain.segments().collect();
     let anew = resample(
         region.points(),
         &segments,

@@ -1,6 +1,5 @@
 //! OFF: points and polygons as plain text.
 
-use std::collections::HashMap;
 use std::io::Write;
 
 use crate::cell::{Cell, Cells};
@@ -8,7 +7,7 @@ use crate::error::{ReadError, ReadProblem, WriteError, WriteProblem};
 use crate::format::Format;
 use crate::lines::{Line, Lines};
 use crate::mesh::Mesh;
-use crate::outline::{Outline, undirected};
+use crate::outline::Outline;
 use crate::planar_graph::PlanarGraph;
 use crate::points::Coordinates;
 
@@ -47,34 +46,16 @@ pub fn parse_outline(bytes: &[u8]) -> Result<PlanarGraph, ReadError> {
         .into_iter()
         .map(|place| outline.point(place))
         .collect::<Result<_, _>>()?;
-    // How often each edge occurs, in the order of first occurrence.
-    let mut counts: HashMap<[u32; 2], usize> = HashMap::new();
-    let mut edges: Vec<[u32; 2]> = Vec::new();
     for index in 0..face_count {
         let line = lines.due(format_args!("face {index} of {face_count}"))?;
         let corners = polygon(line, index, numbers.len())?;
         let corners: Vec<u32> = corners.into_iter().map(|v| numbers[v as usize]).collect();
-        if let &[a, b] = corners.as_slice() {
-            outline.segment([a, b], None);
-            continue;
-        }
-        let next = corners.iter().cycle().skip(1);
-        for edge in corners
-            .iter()
-            .zip(next)
-            .filter_map(|(&a, &b)| undirected([a, b]))
-        {
-            let count = counts.entry(edge).or_insert(0);
-            if *count == 0 {
-                edges.push(edge);
-            }
-            *count += 1;
+        match corners.as_slice() {
+            &[a, b] => outline.segment([a, b], None),
+            corners => outline.face(corners),
         }
     }
     lines.end()?;
-    for edge in edges.into_iter().filter(|edge| counts[edge] % 2 == 1) {
-        outline.segment(edge, None);
-    }
     Ok(outline.into_graph())
 }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
 use crate::mesh::MeshDefect;
-use crate::planar_graph::PlanarGraph;
+use crate::planar_graph::{Kept, PlanarGraph};
 
 /// A planar graph in the making: points at exactly one place are one point, a segment given twice is kept once.
 #[derive(Default)]
@@ -13,11 +13,16 @@ pub(crate) struct Outline {
     by_place: HashMap<[u64; 2], u32>,
     segments: Vec<Segment>,
     by_ends: HashMap<[u32; 2], usize>,
+    /// Edges of faces in the order of their coming, and how often each came.
+    edges: Vec<([u32; 2], usize)>,
+    edge_by_ends: HashMap<[u32; 2], usize>,
 }
 
 struct Segment {
     ends: [u32; 2],
     marker: Option<i32>,
+    /// The polygons whose rings run along it.
+    polygons: Vec<u32>,
 }
 
 impl Outline {
@@ -45,52 +50,75 @@ impl Outline {
 
     /// Keeps a segment, whichever way it runs, with the first marker that it is given. Ends that are one point make none.
     pub(crate) fn segment(&mut self, ends: [u32; 2], marker: Option<i32>) {
-        let Some(key) = undirected(ends) else {
-            return;
-        };
-        match self.by_ends.entry(key) {
-            Entry::Vacant(unknown) => {
-                unknown.insert(self.segments.len());
-                self.segments.push(Segment { ends, marker });
+        self.keep(ends, marker);
+    }
+
+    /// Keeps a segment of a polygon's ring, as [`Outline::segment`] does.
+    pub(crate) fn ring_segment(&mut self, ends: [u32; 2], marker: Option<i32>, polygon: u32) {
+        if let Some(segment) = self.keep(ends, marker) {
+            segment.polygons.push(polygon);
+        }
+    }
+
+    fn keep(&mut self, ends: [u32; 2], marker: Option<i32>) -> Option<&mut Segment> {
+        let key = undirected(ends)?;
+        let number = *self.by_ends.entry(key).or_insert(self.segments.len());
+        if number == self.segments.len() {
+            let polygons = Vec::new();
+            self.segments.push(Segment {
+                ends,
+                marker: None,
+                polygons,
+            });
+        }
+        let segment = self.segments.get_mut(number)?;
+        segment.marker = segment.marker.or(marker);
+        Some(segment)
+    }
+
+    /// Counts the edges of a face; those that an odd number of faces has become segments, after all others.
+    pub(crate) fn face(&mut self, corners: &[u32]) {
+        let next = corners.iter().cycle().skip(1);
+        for (&a, &b) in corners.iter().zip(next) {
+            let Some(edge) = undirected([a, b]) else {
+                continue;
+            };
+            let number = *self.edge_by_ends.entry(edge).or_insert(self.edges.len());
+            if number == self.edges.len() {
+                self.edges.push(([a, b], 0));
             }
-            Entry::Occupied(known) => {
-                if let Some(segment) = self.segments.get_mut(*known.get()) {
-                    segment.marker = segment.marker.or(marker);
-                }
-            }
+            self.edges[number].1 += 1;
         }
     }
 
     /// Points and segments in the order of their coming, without the points that no segment ends in. O(points + segments).
-    pub(crate) fn into_graph(self) -> PlanarGraph {
-        let mut is_used = vec![false; self.points.len()];
-        for end in self.segments.iter().flat_map(|segment| segment.ends) {
-            is_used[end as usize] = true;
+    pub(crate) fn into_graph(mut self) -> PlanarGraph {
+        for (ends, count) in std::mem::take(&mut self.edges) {
+            if count % 2 == 1 {
+                self.segment(ends, None);
+            }
         }
-        let mut new_number = Vec::with_capacity(self.points.len());
-        let mut points = Vec::new();
-        for (point, is_used) in self.points.into_iter().zip(is_used) {
-            new_number.push(points.len() as u32);
-            points.extend(is_used.then_some(point));
-        }
+        let ends: Vec<[u32; 2]> = self.segments.iter().map(|segment| segment.ends).collect();
+        let kept = Kept::of(self.points.len(), &ends);
         let segments = self.segments.iter();
         let has_markers = segments.clone().any(|segment| segment.marker.is_some());
-        let markers = segments
-            .clone()
-            .map(|segment| segment.marker.unwrap_or_default());
+        let markers = segments.map(|segment| segment.marker.unwrap_or_default());
+        let segment_markers = has_markers.then(|| markers.collect());
+        let mut segments = self.segments.iter();
+        let has_polygons = segments.any(|segment| !segment.polygons.is_empty());
+        let polygons = self.segments.into_iter().map(|segment| segment.polygons);
         PlanarGraph {
-            points,
-            segment_markers: has_markers.then(|| markers.collect()),
-            segments: segments
-                .map(|segment| segment.ends.map(|end| new_number[end as usize]))
-                .collect(),
+            points: kept.points.iter().map(|&v| self.points[v]).collect(),
+            segment_markers,
+            polygons: has_polygons.then(|| polygons.collect()),
+            segments: kept.segments,
             ..PlanarGraph::default()
         }
     }
 }
 
 /// The ends of a segment, the smaller number first; `None` when they are one point.
-pub(crate) fn undirected([a, b]: [u32; 2]) -> Option<[u32; 2]> {
+fn undirected([a, b]: [u32; 2]) -> Option<[u32; 2]> {
     (a != b).then(|| [a.min(b), a.max(b)])
 }
 

@@ -194,6 +194,7 @@ fn planar_graph() -> impl Strategy<Value = PlanarGraph> {
                 .map(|ends| [ends[0], ends[1]])
                 .collect(),
             segment_markers: mesh.cell_markers,
+            polygons: None,
             holes,
             regions,
         }

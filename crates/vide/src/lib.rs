@@ -38,6 +38,7 @@ pub mod convert;
 pub mod marks;
 pub mod picture;
 pub mod plane;
+mod polygons;
 pub mod quality;
 pub mod solid;
 pub mod voronoi;

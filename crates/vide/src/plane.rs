@@ -10,11 +10,14 @@ use delaunay_core::{
 use glam::DVec2;
 use mesh_io::PlanarGraph;
 
+use crate::polygons::covered;
+
 /// The triangles of a planar graph: its constrained triangulation, and which parts of it are inside.
 ///
 /// Points are vertices with the same numbers. Where the graph has seeds of holes or of regions, the parts with holes' seeds are
-/// not inside and all others that segments enclose are, as in `Triangle`'s files; without any seed each closed outline
-/// within another one is a hole, and one within that is inside again. Segments with the inside on both sides are kept too.
+/// not inside and all others that segments enclose are, as in `Triangle`'s files. Without any seed, a graph drawn as polygons is
+/// what they cover, each without the holes that its own rings make; in any other one each closed outline within another one is a
+/// hole, and one within that is inside again. Segments with the inside on both sides are kept too.
 #[derive(Clone, Debug)]
 pub struct GivenRegion {
     triangulation: Constrained2,
@@ -35,6 +38,9 @@ pub enum GivenRegionError {
     /// All that the segments enclose is a hole.
     #[error("all parts that the segments enclose are holes")]
     AllHoles,
+    /// The polygons cover nothing.
+    #[error("the polygons cover nothing")]
+    NothingCovered,
     /// Two points are at one place.
     #[error("{first} and {second} are at one place")]
     CoincidentVertices {
@@ -78,9 +84,9 @@ impl GivenRegion {
         }
         let components = triangulation.components(report)?;
         if components.count() == 1 {
-            Outline::with_interior(points, segments)?;
+            Outline::with_interior(points, segments.clone())?;
         }
-        let inside = inside(graph, &triangulation, &components)?;
+        let inside = inside(graph, &segments, &triangulation, &components)?;
         let region = Self {
             triangulation,
             components,
@@ -135,11 +141,19 @@ impl GivenRegion {
 /// By part, whether it is inside.
 fn inside(
     graph: &PlanarGraph,
+    segments: &[[VertexId; 2]],
     triangulation: &Constrained2,
     components: &Components,
 ) -> Result<Vec<bool>, GivenRegionError> {
     let parts = 0..components.count();
     if graph.holes.is_empty() && graph.regions.is_empty() {
+        if let Some(rings) = &graph.polygons {
+            let inside = covered(segments, rings, triangulation, components);
+            return match inside.contains(&true) {
+                true => Ok(inside),
+                false => Err(GivenRegionError::NothingCovered),
+            };
+        }
         return Ok(parts.map(|part| components.depth(part) % 2 == 1).collect());
     }
     let seeds: Vec<DVec2> = graph.holes.iter().copied().map(DVec2::from).collect();
@@ -209,6 +223,59 @@ mod tests {
         assert_eq!(area(&graph), Ok(36.0));
         graph.holes.push([0.0, 0.0]);
         assert_eq!(area(&graph), Ok(32.0));
+    }
+
+    /// The area of polygons, each of rings that are closed here.
+    fn area_of(polygons: &[&[&[[f64; 2]]]]) -> Result<f64, String> {
+        let ring = |ring: &&[[f64; 2]]| {
+            let closed = ring.iter().chain(ring.first());
+            let places: Vec<String> = closed.map(|[x, y]| format!("[{x},{y}]")).collect();
+            format!("[{}]", places.join(","))
+        };
+        let polygon = |rings: &&[&[[f64; 2]]]| {
+            let rings: Vec<String> = rings.iter().map(ring).collect();
+            format!("[{}]", rings.join(","))
+        };
+        let polygons: Vec<String> = polygons.iter().map(polygon).collect();
+        let text = format!(
+            r#"{{"type":"MultiPolygon","coordinates":[{}]}}"#,
+            polygons.join(",")
+        );
+        area(&mesh_io::geojson::parse(text.as_bytes()).unwrap())
+    }
+
+    #[test]
+    fn a_country_that_its_neighbours_surround_is_no_hole() {
+        let (outer, inner) = (square(3.0), square(1.0));
+        let ring: &[&[[f64; 2]]] = &[&outer, &inner];
+        assert_eq!(area_of(&[ring]), Ok(32.0));
+        assert_eq!(area_of(&[ring, &[&inner]]), Ok(36.0));
+        // The two halves of the ring, with the middle and without it.
+        let left = [
+            [-3.0, -3.0],
+            [0.0, -3.0],
+            [0.0, -1.0],
+            [-1.0, -1.0],
+            [-1.0, 1.0],
+            [0.0, 1.0],
+            [0.0, 3.0],
+            [-3.0, 3.0],
+        ];
+        let right = left.map(|[x, y]| [-x, y]);
+        assert_eq!(area_of(&[&[&left], &[&right]]), Ok(32.0));
+        // The corners in the middle of the halves are not those of the whole, so that edges of one lie on those of the other.
+        assert_eq!(area_of(&[&[&left], &[&right], &[&inner]]), Ok(36.0));
+    }
+
+    #[test]
+    fn polygons_in_each_other_or_given_twice_cover_what_any_covers() {
+        let (outer, inner) = (square(3.0), square(1.0));
+        assert_eq!(area_of(&[&[&outer], &[&inner]]), Ok(36.0));
+        assert_eq!(area_of(&[&[&inner], &[&inner]]), Ok(4.0));
+        assert_eq!(
+            area_of(&[&[&inner, &inner]]),
+            Err("the polygons cover nothing".to_owned())
+        );
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! Boundary nodes that move along the smooth curve through them and their neighbours.
 
-use delaunay_core::{HalfEdgeId, Subcomplex2, VertexId};
+use delaunay_core::VertexId;
 use glam::DVec2;
 
 use super::chains::chains;
 use crate::curve::{Curve, CurveError};
+use crate::domain::Domain;
 
 /// A node moves by at most this share of an edge of the chain at once.
 const LONGEST_STEP: f64 = 0.3;
@@ -24,19 +25,18 @@ struct Station {
 }
 
 impl Rails {
-    /// The rails of a region's boundary, whose corners turn by more than `crease`, in radians; they stay.
+    /// The rails of a domain's boundary, whose corners turn by more than `crease`, in radians; they stay.
     ///
     /// # Errors
     /// Coordinates that are not accepted on a curve.
-    pub(crate) fn of(region: &Subcomplex2, crease: f64) -> Result<Self, CurveError> {
-        let mesh = region.mesh();
-        let ends = |h: HalfEdgeId| [mesh.origin(h), mesh.target(h)];
-        let segments: Vec<[VertexId; 2]> = region.boundary().map(ends).collect();
+    pub(crate) fn of(domain: &Domain, crease: f64) -> Result<Self, CurveError> {
+        let points = domain.region().points();
+        let segments: Vec<[VertexId; 2]> = domain.segments().collect();
         let mut rails = Self {
             curves: Vec::new(),
-            stations: vec![None; region.points().len()],
+            stations: vec![None; points.len()],
         };
-        for chain in chains(region.points(), &segments, crease, |_, _| true) {
+        for chain in chains(points, &segments, crease, |_, _| true) {
             let inner = match chain.is_loop {
                 true => 0..chain.nodes.len(),
                 false => 1..chain.nodes.len() - 1,
@@ -50,7 +50,7 @@ impl Rails {
                     at: k as f64,
                 });
             }
-            rails.curves.push(chain.curve(region.points())?);
+            rails.curves.push(chain.curve(points)?);
         }
         Ok(rails)
     }

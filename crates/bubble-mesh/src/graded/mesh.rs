@@ -3,10 +3,9 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
+use delaunay_core::Complex2;
 use delaunay_core::measure::triangle::radius_ratio;
-use delaunay_core::progress::{Cancelled, Meter, Progress, silent};
-use delaunay_core::{BuildOptions, Complex2, Constrained2, Crossings, VertexId};
-use glam::DVec2;
+use delaunay_core::progress::{Cancelled, Meter, Progress};
 
 use super::energy::{FIRST, LAST};
 use super::optimize::{Sweeps, optimize, optimize_on};
@@ -15,7 +14,7 @@ use super::place::{Order, place};
 use super::relax::relax;
 use super::search::search;
 use super::size::{SizeField, Sizing};
-use crate::boundary::Rails;
+use crate::boundary::{Rails, is_boundary_simple};
 use crate::domain::Domain;
 
 /// A graded mesh.
@@ -210,7 +209,7 @@ impl GradedMesh {
         meter: &mut Meter<'_>,
     ) -> Result<(), Cancelled> {
         // Nodes that no curve goes through, far out for instance, stay.
-        let Ok(mut rails) = Rails::of(domain.region(), crease) else {
+        let Ok(mut rails) = Rails::of(domain, crease) else {
             return Ok(());
         };
         let mut slid = self.complex.clone();
@@ -260,30 +259,6 @@ impl GradedMesh {
             _ => cost(self) < cost(other),
         }
     }
-}
-
-/// Whether no two edges of the boundary meet but in common nodes. Takes n log n time for the boundary.
-fn is_boundary_simple(complex: &Complex2) -> bool {
-    let mesh = complex.mesh();
-    let bases = mesh.faces().filter_map(|f| mesh.ghost_base(f));
-    let edges = bases.map(|h| [mesh.origin(h), mesh.target(h)]);
-    let mut edges: Vec<[VertexId; 2]> = edges.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    let mut nodes: Vec<VertexId> = edges.iter().flatten().copied().collect();
-    nodes.sort_unstable();
-    nodes.dedup();
-    let points: Vec<DVec2> = nodes.iter().map(|&v| complex.point(v)).collect();
-    let number = |v: VertexId| VertexId::new(nodes.partition_point(|&w| w < v));
-    let segments: Vec<[VertexId; 2]> = edges.iter().map(|ends| ends.map(number)).collect();
-    let options = BuildOptions::default();
-    let built = Constrained2::build(&points, &segments, Crossings::Refuse, options, &mut silent);
-    built.is_ok_and(|built| {
-        let is_apart = built.duplicates().iter().next().is_none();
-        // A segment through a node is in two parts.
-        let whole = |&[a, b]: &[VertexId; 2]| built.mesh().neighbors(a).any(|v| v == b);
-        is_apart && segments.iter().all(whole)
-    })
 }
 
 /// Radius ratios of triangles.

@@ -18,8 +18,9 @@ const FEWEST_IN_RING: usize = 4;
 /// The segments of all rings and lines of a `GeoJSON` file: polygons, lines, collections, features and their collections.
 ///
 /// Points at exactly one place are one point, so a segment given twice is kept once. An integer property `marker` of a
-/// feature becomes the marker of its segments; others have marker 0. Altitudes and other properties are passed over. Holes
-/// and regions have no seeds: what is inside follows from the nesting of the rings.
+/// feature becomes the marker of its segments; others have marker 0. Altitudes and other properties are passed over. Each
+/// segment knows the polygons whose rings run along it ([`PlanarGraph::polygons`]), so that borders which two of them share are
+/// known from coasts.
 ///
 /// # Errors
 /// Malformed JSON with its line; unknown types, members of another form, rings that do not close or have fewer than 4
@@ -51,6 +52,7 @@ fn document(bytes: &[u8]) -> Result<Value, ReadError> {
 struct Drawing {
     outline: Outline,
     marker: Option<i32>,
+    polygon_count: u32,
 }
 
 impl Drawing {
@@ -130,8 +132,9 @@ impl Drawing {
                 let [x, y] = positions.last().copied().unwrap_or_default();
                 return Err(last.unexpected("the first position again", &vec![x, y].into()));
             }
-            self.path(&positions)?;
+            self.path(&positions, Some(self.polygon_count))?;
         }
+        self.polygon_count += 1;
         Ok(())
     }
 
@@ -140,15 +143,18 @@ impl Drawing {
         if positions.len() < 2 {
             return Err(part.too_short(2, positions.len()));
         }
-        self.path(&positions)
+        self.path(&positions, None)
     }
 
     /// A segment from each position to the next.
-    fn path(&mut self, positions: &[[f64; 2]]) -> Result<(), ReadError> {
+    fn path(&mut self, positions: &[[f64; 2]], polygon: Option<u32>) -> Result<(), ReadError> {
         for pair in positions.windows(2) {
             if let &[from, to] = pair {
                 let ends = [self.outline.point(from)?, self.outline.point(to)?];
-                self.outline.segment(ends, self.marker);
+                match polygon {
+                    Some(polygon) => self.outline.ring_segment(ends, self.marker, polygon),
+                    None => self.outline.segment(ends, self.marker),
+                }
             }
         }
         Ok(())
@@ -204,6 +210,21 @@ mod tests {
         assert_eq!(graph.points, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
         assert_eq!(graph.segments, [[0, 1], [1, 2], [2, 0]]);
         assert_eq!(graph.segment_markers, None);
+        assert_eq!(graph.polygons, Some(vec![vec![0]; 3]));
+    }
+
+    #[test]
+    fn borders_have_both_polygons_and_lines_have_none() {
+        let ring = |places: &str| format!("[[{places}]]");
+        let left = ring("[0,0],[1,0],[1,1],[0,0]");
+        let right = ring("[1,0],[2,0],[1,1],[1,0]");
+        let polygons = format!(r#"{{"type":"MultiPolygon","coordinates":[{left},{right}]}}"#);
+        let line = r#"{"type":"LineString","coordinates":[[2,0],[3,0]]}"#;
+        let text = format!(r#"{{"type":"GeometryCollection","geometries":[{polygons},{line}]}}"#);
+        let graph = parse(text.as_bytes()).unwrap();
+        assert_eq!(graph.segments[1], [1, 2]);
+        let expected: [&[u32]; 6] = [&[0], &[0, 1], &[0], &[1], &[1], &[]];
+        assert_eq!(graph.polygons, Some(expected.map(<[u32]>::to_vec).to_vec()));
     }
 
     #[test]

@@ -43,6 +43,7 @@ pub fn parse_poly(
         point_data: nodes.data,
         segments,
         segment_markers,
+        polygons: None,
         holes,
         regions,
     })

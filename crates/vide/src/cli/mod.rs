@@ -5,6 +5,7 @@ mod block;
 mod bubble;
 mod delaunay;
 mod failure;
+mod number;
 mod outline;
 mod output;
 mod progress;

@@ -7,7 +7,7 @@ use bubble_mesh::paper::{Params, generate, optimize};
 use bubble_mesh::{Domain, Resampling, radius_ratio, resample};
 use delaunay_core::measure::{AngleSummary, Statistics};
 use delaunay_core::progress::silent;
-use delaunay_core::{BuildOptions, HalfEdgeId, Outline};
+use delaunay_core::{BuildOptions, Outline};
 use fixtures::outlines;
 use glam::DVec2;
 use mesh_io::PlanarGraph;
@@ -105,11 +105,9 @@ fn graded(domain: &Domain, params: &GradedParams) -> Result<Triangles, Box<dyn E
 
 /// The domain with its boundary sampled anew.
 fn sampled_anew(domain: &Domain) -> Result<Domain, Box<dyn Error>> {
-    let (region, mesh) = (domain.region(), domain.region().mesh());
-    let ends = |h: HalfEdgeId| [mesh.origin(h), mesh.target(h)];
-    let segments: Vec<_> = region.boundary().map(ends).collect();
+    let segments: Vec<_> = domain.segments().collect();
     let anew = resample(
-        region.points(),
+        domain.region().points(),
         &segments,
         |_, _| true,
         &Resampling::default(),

@@ -122,10 +122,14 @@ fn resampled(args: &BubbleArgs, outline: &PlanarGraph) -> Result<PlanarGraph, Fa
     let anew = anew.map_err(|error| Failure::input(&args.input, error))?;
     let number = |v: VertexId| v.index() as u32;
     let parents = anew.parent_of.iter();
+    let polygons = outline.polygons.as_ref();
     Ok(PlanarGraph {
         points: anew.points.iter().map(DVec2::to_array).collect(),
         segments: anew.segments.iter().map(|ends| ends.map(number)).collect(),
-        segment_markers: markers.map(|markers| parents.map(|&parent| markers[parent]).collect()),
+        segment_markers: markers
+            .map(|markers| parents.clone().map(|&parent| markers[parent]).collect()),
+        polygons: polygons
+            .map(|polygons| parents.map(|&parent| polygons[parent].clone()).collect()),
         holes: outline.holes.clone(),
         regions: outline.regions.clone(),
         ..PlanarGraph::default()

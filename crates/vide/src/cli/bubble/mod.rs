@@ -17,10 +17,10 @@ use vide::quality::measure_mesh;
 
 use super::Common;
 use super::failure::Failure;
-use super::outline::{Given, read_given, without_loose_points};
+use super::number;
+use super::outline::{Given, read_given};
 use super::output::{check_formats, check_places, write_marked, write_together};
 use super::progress::Watch;
-use super::refine::parse_crease;
 use super::report::Report;
 use boundary::{AtBoundary, AtCrossings, Region, region};
 
@@ -43,20 +43,20 @@ pub(crate) struct BubbleArgs {
     #[arg(long, value_name = "N", requires = "paper")]
     iterations: Option<usize>,
     /// Edges inside are at most so long; otherwise the edges of the outline alone say how long
-    #[arg(long, value_name = "H", value_parser = positive)]
+    #[arg(long, value_name = "H", value_parser = number::positive)]
     size: Option<f64>,
     /// Edges inside over those that the outline asks for; smaller values make more triangles
-    #[arg(long, value_name = "S", value_parser = positive, default_value_t = GradedParams::default().scale)]
+    #[arg(long, value_name = "S", value_parser = number::positive, default_value_t = GradedParams::default().scale)]
     scale: f64,
     /// Edges inside grow by at most G of the distance from the outline [default: 0.5]; with --boundary resample edges of the outline do as well
     /// [default: 0.2]
-    #[arg(long, value_name = "G", value_parser = positive)]
+    #[arg(long, value_name = "G", value_parser = number::positive)]
     grade: Option<f64>,
     /// What happens to the nodes of the outline
     #[arg(long, value_enum, default_value_t = AtBoundary::Fixed)]
     boundary: AtBoundary,
     /// Nodes where the outline turns by more than DEG degrees are corners
-    #[arg(long, value_name = "DEG", value_parser = parse_crease, default_value_t = 30.0)]
+    #[arg(long, value_name = "DEG", value_parser = number::crease, default_value_t = 30.0)]
     crease: f64,
     /// So many changes of connectivity are tried, the worst triangles first; a thousand for a thousand nodes make good meshes very
     /// good
@@ -82,13 +82,6 @@ const FORMATS: [Format; 5] = [
     Format::TriangleNode,
     Format::TriangleEle,
 ];
-
-fn positive(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(value) if value > 0.0 && value < f64::INFINITY => Ok(value),
-        _ => Err("not a finite number above zero".to_owned()),
-    }
-}
 
 /// What came out, ready to be written.
 struct Meshed {
@@ -144,7 +137,7 @@ fn read(input: &Path) -> Result<PlanarGraph, Failure> {
         Given::Outline(outline) if Format::from_path(input) == Some(Format::TrianglePoly) => {
             Ok(outline)
         }
-        Given::Outline(outline) => Ok(without_loose_points(&outline)),
+        Given::Outline(outline) => Ok(outline.without_loose_points()),
         Given::Mesh(_) => Err(Failure::input(
             input,
             "there is no outline in the plane z = 0",

@@ -36,17 +36,6 @@ pub(super) enum Coarsen {
     Merging,
 }
 
-/// Parses the value of `--crease`.
-///
-/// # Errors
-/// What is wrong with it.
-pub(crate) fn parse_crease(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(angle) if (0.0..=180.0).contains(&angle) => Ok(angle),
-        _ => Err("an angle is a number of degrees from 0 to 180".to_owned()),
-    }
-}
-
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum AtBoundary {
     /// No edge and no triangle of it is touched

@@ -16,13 +16,13 @@ use vide::sink_refine::{Method, Params};
 
 use super::Common;
 use super::failure::Failure;
+use super::number;
 use super::outline::{Given, read_given};
 use super::output::{check_formats, check_places, write_marked, write_together};
 use super::progress::Watch;
 use super::report::Report;
 
 pub(crate) use improve::Improvement;
-pub(crate) use method::parse_crease;
 pub(crate) use report::Refinement;
 
 #[derive(Args)]
@@ -41,7 +41,7 @@ pub(crate) struct RefineArgs {
     ratio: Option<f64>,
     /// Elements whose circumradius is more than that of the regular one with edges of length H are too large and refined too; the
     /// number of elements grows as 1/H³, in the plane as 1/H². Areas that limit regions of a .poly are obeyed as well
-    #[arg(long, value_name = "H", value_parser = size::parse)]
+    #[arg(long, value_name = "H", value_parser = number::positive)]
     size: Option<f64>,
     /// Which points to insert
     #[arg(long, value_enum, default_value_t = method::Candidate::Economical)]
@@ -57,7 +57,7 @@ pub(crate) struct RefineArgs {
     boundary: method::AtBoundary,
     /// With --boundary split: where the boundary turns by up to DEG degrees it is smooth, and new vertices are put on a smooth
     /// curve or surface; elsewhere it has corners and creases, which stay [default: 30; in the plane 0: on the edges]
-    #[arg(long, value_name = "DEG", value_parser = method::parse_crease)]
+    #[arg(long, value_name = "DEG", value_parser = number::crease)]
     crease: Option<f64>,
     /// Afterwards make tetrahedra better whose smallest dihedral angle is below DEG degrees, or the largest above 180 - DEG, by
     /// exchanges, moves and new vertices inside: 20 is quick, 30 thorough. They need not be Delaunay then, and some may be above

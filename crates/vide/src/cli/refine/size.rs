@@ -1,19 +1,8 @@
-//! How large elements may be: by option, and by the area limits in a `.poly`.
+//! How large elements may be: the area limits in a `.poly`.
 
 use vide::glam::DVec2;
 use vide::mesh_io::PlanarGraph;
 use vide::sink_refine::RegionLimit;
-
-/// Parses the value of `--size`.
-///
-/// # Errors
-/// What is wrong with it.
-pub(super) fn parse(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(size) if size > 0.0 && size < f64::INFINITY => Ok(size),
-        _ => Err("a length is a finite number above zero".to_owned()),
-    }
-}
 
 /// The limits of the regions of a graph: edges of the regular triangle whose area is the largest allowed.
 ///
