@@ -45,6 +45,19 @@ fn check(domain: &Domain, mesh: &GradedMesh) -> Result<(), TestCaseError> {
     Ok(())
 }
 
+/// Both diagonals of a rectangle are equally good, so rounding alone says which one is better, and it may say so of both.
+#[test]
+fn thin_rectangles_are_meshed() -> Result<(), TestCaseError> {
+    for k in 1..200 {
+        let across = DVec2::from_angle(f64::from(k));
+        let high = 0.5_f64.powf(1.0 + f64::from(k % 37) / 4.0) * across.perp();
+        let loops = [vec![DVec2::ZERO, across, across + high, high]];
+        let domain = domain(&loops);
+        check(&domain, &meshed(&domain))?;
+    }
+    Ok(())
+}
+
 /// The figures that other programs reach at best on these regions are 0.883, 0.683, 0.702, 0.749 and 0.989, 0.967, 0.975, 0.982.
 #[test]
 fn the_regions_of_the_paper_have_no_poor_triangle() {

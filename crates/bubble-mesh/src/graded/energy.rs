@@ -1,11 +1,9 @@
 //! What poor shapes cost: a function of the radius ratio that hardly minds good triangles and cannot bear bad ones.
 //!
-//! With d = 1 - ρ a triangle costs d + d₀ (d / d₀)^p: the mean counts as long as d is below d₀, beyond it the worst.
+//! With d = 1 - ρ a triangle costs d + d₀ (d / d₀)^p: the mean counts as long as d is below d₀, beyond it the worst. A triangle that is flat or
+//! turned over has ρ = 0 and costs the most; so what is flat by rounding alone costs no more than what nearly is.
 
 use glam::DVec2;
-
-/// Cost of a triangle that is flat or turned over: more than any other.
-pub(super) const FORBIDDEN: f64 = 1e9;
 
 /// What triangles cost.
 #[derive(Clone, Copy, Debug)]
@@ -35,16 +33,16 @@ pub(super) const LAST: Energy = Energy {
 };
 
 impl Energy {
-    /// Cost of a triangle with corners counterclockwise.
+    /// Cost of a triangle with corners counterclockwise; rounded, and not alike from whichever corner it is listed.
     #[inline]
     pub(super) fn of(&self, [a, b, c]: [DVec2; 3]) -> f64 {
         let (u, w, base) = (a - b, a - c, c - b);
         let area = base.perp_dot(u);
-        if area <= 0.0 {
-            return FORBIDDEN;
-        }
         let [u, w, base] = [u, w, base].map(DVec2::length);
-        let ratio = 4.0 * area * area / (u * w * base * (u + w + base));
+        let ratio = match area > 0.0 {
+            true => 4.0 * area * area / (u * w * base * (u + w + base)),
+            false => 0.0,
+        };
         let short = 1.0 - ratio;
         let [power, ..] = self.power(short / self.knee);
         short + self.knee * power
@@ -197,15 +195,14 @@ mod tests {
     const B: DVec2 = DVec2::new(1.1, -0.2);
 
     #[test]
-    fn the_best_triangle_costs_nothing_and_a_flat_one_is_forbidden() {
+    fn the_best_triangle_costs_nothing_and_a_flat_one_the_most() {
         for energy in [FIRST, LAST] {
             let top = DVec2::new(0.5, 0.75_f64.sqrt());
             assert!(energy.of([DVec2::ZERO, DVec2::X, top]).abs() < 1e-15);
-            assert_eq!(
-                energy.of([DVec2::ZERO, DVec2::X, 2.0 * DVec2::X]),
-                FORBIDDEN
-            );
-            assert_eq!(energy.of([DVec2::ZERO, top, DVec2::X]), FORBIDDEN);
+            let flat = energy.of([DVec2::ZERO, DVec2::X, 2.0 * DVec2::X]);
+            assert_eq!(energy.of([DVec2::ZERO, top, DVec2::X]), flat);
+            let needle = energy.of([DVec2::ZERO, DVec2::X, DVec2::new(0.5, 1e-3)]);
+            assert!(flat > needle && needle > 1e4);
         }
     }
 

@@ -8,7 +8,8 @@ use super::energy::Energy;
 use super::smooth::Smoother;
 use crate::boundary::Rails;
 
-/// A flip has to gain so much.
+/// A flip has to gain this share of what its triangles cost, which is far more than rounding: the worst cost 1e24, so that no gain is
+/// large for all.
 const LEAST_GAIN: f64 = 1e-9;
 
 /// No flip betters two triangles that cost less than this: it takes two with right angles, which cost 0.17, for both
@@ -140,7 +141,7 @@ impl Worklist {
 /// Flips edges of the triangles listed, and of those that change, as long as that lowers the cost; gives the triangles that
 /// have changed.
 ///
-/// Every flip lowers the sum of the costs, so no triangulation comes back.
+/// Every flip lowers the sum of the costs, by more than rounding, so no triangulation comes back.
 pub(super) fn flip_all(
     complex: &mut Complex2,
     energy: Energy,
@@ -149,15 +150,14 @@ pub(super) fn flip_all(
     let mut flipped = Vec::new();
     while let Some(f) = pending.pop() {
         let cost = energy.of(complex.triangle(f));
-        let gain = |h: &HalfEdgeId| gains(complex, *h, cost, energy);
-        let Some(h) = f.half_edges().into_iter().find(gain) else {
-            continue;
-        };
-        let faces = [f, complex.mesh().twin(h).face()];
-        if complex.flip(h).is_some() {
-            flipped.extend(faces);
-            pending.extend(faces);
-        }
+        let mut edges = f.half_edges().into_iter();
+        let faces = edges.find_map(|h| {
+            let beyond = complex.mesh().twin(h).face();
+            let flips = gains(complex, h, cost, energy) && complex.flip(h).is_some();
+            flips.then_some([f, beyond])
+        });
+        flipped.extend(faces.into_iter().flatten());
+        pending.extend(faces.into_iter().flatten());
     }
     flipped
 }
@@ -175,7 +175,12 @@ fn gains(complex: &Complex2, h: HalfEdgeId, cost: f64, energy: Energy) -> bool {
     if cost.max(beyond) < GOOD {
         return false;
     }
-    energy.of([a, d, c]) + energy.of([d, b, c]) < cost + beyond - LEAST_GAIN
+    is_gain(cost + beyond, energy.of([a, d, c]) + energy.of([d, b, c]))
+}
+
+/// Whether two triangles cost less than others, and not by rounding.
+fn is_gain(before: f64, after: f64) -> bool {
+    after < (1.0 - LEAST_GAIN) * before
 }
 
 #[cfg(test)]
@@ -183,6 +188,38 @@ mod tests {
     use super::super::energy::{FIRST, LAST};
     use super::*;
     use glam::DVec2;
+
+    /// Rectangles, whose diagonals are equally good: only rounding tells them apart, whatever the triangles cost.
+    #[test]
+    fn rounding_flips_no_edge() {
+        let mut differ = 0;
+        for energy in [FIRST, LAST] {
+            for k in 1..2000 {
+                let across = DVec2::from_angle(f64::from(k));
+                let high = 0.5_f64.powf(f64::from(k % 97) / 4.0) * across.perp();
+                let corners = [DVec2::ZERO, across, across + high, high];
+                let [a, b, c, d] = corners.map(|p| p + f64::from(k % 3) * DVec2::ONE);
+                // The triangles on one diagonal and on the other, from each corner on, as a mesh may list them.
+                let rotations = |[a, b, c]: [DVec2; 3]| [[a, b, c], [b, c, a], [c, a, b]];
+                for one in rotations([a, b, c]) {
+                    for two in rotations([a, c, d]) {
+                        for three in rotations([a, b, d]) {
+                            for four in rotations([b, c, d]) {
+                                let before = energy.of(one) + energy.of(two);
+                                let after = energy.of(three) + energy.of(four);
+                                assert!(
+                                    !is_gain(before, after) && !is_gain(after, before),
+                                    "{energy:?} {k}: {before} {after}"
+                                );
+                                differ += usize::from(before != after);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        assert!(differ > 0);
+    }
 
     /// On a grid of places for the two corners beyond an edge of length one.
     #[test]
