@@ -400,3 +400,22 @@ fn a_hole_much_finer_than_the_rest_has_no_poor_triangle() {
     let (least, mean) = quality(&mesh.complex);
     assert!(least > 0.8 && mean > 0.95, "{least} {mean}");
 }
+
+/// Sizes that hardly grow are those of the shortest edge, and fall to it from the longest.
+#[test]
+fn sizes_that_hardly_grow_fall_slowly_from_long_edges() {
+    let turn = |i: u32| {
+        let even = f64::from(i) / 60.0;
+        TAU * (even + 0.9 * (TAU * even).sin() / TAU)
+    };
+    let nodes = (0..60).map(|i| DVec2::from_angle(turn(i)));
+    let domain = domain(&[nodes.collect()]);
+    let params = GradedParams {
+        grade: 1e-6,
+        ..GradedParams::default()
+    };
+    let mesh = mesh(&domain, &params, &mut silent).expect("good parameters");
+    check(&domain, &mesh).expect("a valid mesh");
+    let (least, mean) = quality(&mesh.complex);
+    assert!(least > 0.7 && mean > 0.98, "{least} {mean}");
+}

@@ -5,7 +5,8 @@
 //! poor triangles. Nodes far away count together, as in the method of Barnes and Hut, so a value takes log n time.
 //!
 //! It is limited by what the nodes permit, the size of each and a share of the distance from it: a few short edges far from long ones,
-//! round a small hole for instance, would else count for too little a short way off.
+//! round a small hole for instance, would else count for too little a short way off. Where that share is small, the shortest edges tell
+//! the size even beside the longest; there sizes fall from those of the boundary by a share of the distance too.
 
 use glam::DVec2;
 
@@ -18,6 +19,9 @@ const FAR: f64 = 2.5;
 /// Boxes with so many nodes are not divided.
 const LEAF: usize = 8;
 
+/// Sizes fall from a boundary node inwards by at most this share of the distance: more would make poor triangles.
+const FALL: f64 = 0.5;
+
 /// A size for every place, of the caller's.
 pub type Sizing<'a> = &'a (dyn Fn(DVec2) -> f64 + Sync);
 
@@ -28,6 +32,8 @@ pub(super) struct SizeField<'a> {
     boxes: Vec<Group>,
     /// What the nodes permit, when sizes grow with the distance as they may.
     permitted: Envelope,
+    /// What the nodes ask for, as sizes below zero, when sizes fall as fast as they may; none where they grow as fast.
+    asked: Option<Envelope>,
     scale: f64,
     sizing: Option<Sizing<'a>>,
 }
@@ -58,6 +64,13 @@ impl<'a> SizeField<'a> {
         let nodes: Vec<Cone> = nodes.map(|(place, size)| Cone { place, size }).collect();
         let mut field = Self {
             permitted: Envelope::of(nodes.clone(), grade),
+            asked: (grade < FALL).then(|| {
+                let below = |node: &Cone| Cone {
+                    place: node.place,
+                    size: -node.size,
+                };
+                Envelope::of(nodes.iter().map(below).collect(), FALL)
+            }),
             nodes,
             boxes: Vec::new(),
             scale,
@@ -72,7 +85,7 @@ impl<'a> SizeField<'a> {
     /// # Errors
     /// The caller's size when it is not a finite number above zero.
     pub(super) fn at(&self, place: DVec2) -> Result<f64, GradedError> {
-        let of_boundary = self.scale * self.permitted.at(place, self.of_boundary(place));
+        let of_boundary = self.scale * self.limited(place, self.of_boundary(place));
         let Some(sizing) = self.sizing else {
             return Ok(of_boundary);
         };
@@ -80,6 +93,15 @@ impl<'a> SizeField<'a> {
         match size > 0.0 && size < f64::INFINITY {
             true => Ok(size.min(of_boundary)),
             false => Err(GradedError::Size { place, size }),
+        }
+    }
+
+    /// A size, limited by what the nodes permit but where they ask for more.
+    fn limited(&self, place: DVec2, size: f64) -> f64 {
+        let permitted = self.permitted.at(place, size);
+        match &self.asked {
+            Some(asked) => permitted.max(size.min(-asked.at(place, f64::INFINITY))),
+            None => permitted,
         }
     }
 
