@@ -1,17 +1,17 @@
 //! Triangles of closed bodies turned so that their normals point out of the bodies, into voids too.
 //!
 //! ```text
-//!        |  line, seen from the side            A line along an axis goes through a triangle of a patch. Where it comes out
-//!    ----+----  3                               for good is outside, so what it crosses above the triangle,
-//!        |                                      an even or odd number, tells what is in front.
+//!        |  line, seen from the side            A line along an axis goes through a triangle of each patch. Where it ends
+//!    ----+----  3                               is outside, so what it crosses above the triangle, an even or odd number,
+//!        |                                      tells what is in front of the triangle.
 //!    ----+----  2
-//!        |           2 above: outside           The line is moved aside by less than any difference of coordinates, so it
-//!    ----+----  triangle                        meets no edge and no triangle that it could run along.
+//!        |           2 above: outside                 c         Seen along the line, it goes through the triangle abc next to a,
+//!    ----+----  triangle                             / \        and far nearer to ab than to a: so it meets no other edge, and on
+//!                                                   a·--b       which side of one it is, is told by a, else by b, else by c.
 //! ```
 
 use super::intersections::Boxed;
 use super::patches::Patches;
-use crate::ids::VertexId;
 use crate::progress::{Cancelled, Meter};
 use crate::tet::bounds::Bounds;
 use crate::tet::projection::View;
@@ -20,8 +20,8 @@ use glam::{DVec2, DVec3};
 
 /// Turns the patches whose triangles, once they agree, have the inside in front. Exact.
 ///
-/// No triangles may intersect, and every edge must have an even number of them. A patch of triangles all of which are so thin that
-/// rounded centroids are beside them stays as it is. Takes time log n for each patch where lines meet few boxes.
+/// No triangles may intersect, and every edge must have an even number of them. Takes time log n for each patch where lines meet
+/// few boxes.
 pub(super) fn turn_outwards(
     boxed: &Boxed<'_>,
     patches: &mut Patches,
@@ -29,81 +29,71 @@ pub(super) fn turn_outwards(
 ) -> Result<(), Cancelled> {
     for patch in 0..patches.members.len() {
         meter.advance()?;
-        let mut members = patches.members[patch].iter();
-        let probe =
-            members.find_map(|&triangle| Some((triangle, Probe::through(boxed, triangle)?)));
-        if let Some((triangle, probe)) = probe
-            && probe.front_is_inside(boxed, triangle) != patches.turned[triangle]
-        {
+        let triangle = patches.members[patch][0];
+        if front_is_inside(boxed, triangle) != patches.turned[triangle] {
             patches.turn_patch(patch);
         }
     }
     Ok(())
 }
 
-/// A line along an axis through the inner part of a triangle.
-struct Probe {
-    view: View,
-    /// Where the line is seen.
-    at: DVec2,
-    /// The box of the ray from the lowest corner of the triangle on.
-    ray: Bounds,
-    corners: [DVec3; 3],
+/// Whether there is inside where the normal of a triangle, as given, points.
+fn front_is_inside(boxed: &Boxed<'_>, triangle: usize) -> bool {
+    let places = |triangle: usize| boxed.corners[triangle].map(|v| boxed.place(v));
+    let Some(line) = Line::through(places(triangle)) else {
+        return false;
+    };
+    let mut inside_above = false;
+    boxed.hierarchy.meeting(line.ray(), |other| {
+        let corners = places(other);
+        inside_above ^= other != triangle && line.crosses(corners) && line.is_below(corners);
+    });
+    inside_above == line.sees_front()
 }
 
-impl Probe {
-    /// The line through the rounded centroid, if that is within the triangle in a view along an axis.
-    fn through(boxed: &Boxed<'_>, triangle: usize) -> Option<Self> {
-        let corners = boxed.corners[triangle].map(|v| boxed.place(v));
-        let center = corners.map(|corner| corner / 3.0).into_iter().sum();
-        let views = [View::X, View::Y, View::Z].into_iter().enumerate();
-        let mut seen = views.map(|(axis, view)| (axis, view, view.of(center)));
-        let (axis, view, at) = seen.find(|(_, view, at)| {
-            let [a, b, c] = corners.map(|corner| view.of(corner));
-            let turns = [[a, b], [b, c], [c, a]].map(|[from, to]| orient2d(from, to, *at));
-            turns[0] != Sign::Zero && turns == [turns[0]; 3]
-        })?;
-        let mut ray = Bounds {
-            low: center,
-            high: center,
-        };
-        ray.low[axis] = Bounds::of(corners).low[axis];
+/// A line along an axis through a triangle, next to its first corner.
+struct Line {
+    view: View,
+    own: [DVec3; 3],
+}
+
+impl Line {
+    /// A line that the triangle does not run along; `None` when it has no area.
+    fn through(own: [DVec3; 3]) -> Option<Self> {
+        View::of_area(own).map(|view| Self { view, own })
+    }
+
+    /// What is on the line, or next to it, from the lowest corner of the triangle on.
+    fn ray(&self) -> Bounds {
+        let axis = self.view as usize;
+        let mut ray = Bounds::of([self.own[0]]);
+        ray.low[axis] = Bounds::of(self.own).low[axis];
         ray.high[axis] = f64::INFINITY;
-        Some(Self {
-            view,
-            at,
-            ray,
-            corners,
-        })
+        ray
     }
 
-    /// Whether there is inside where the normal of the triangle, as given, points.
-    fn front_is_inside(&self, boxed: &Boxed<'_>, triangle: usize) -> bool {
-        let mut inside_above = false;
-        boxed.hierarchy.meeting(self.ray, |other| {
-            let corners = boxed.corners[other].map(|v: VertexId| boxed.place(v));
-            inside_above ^= other != triangle && self.crosses(corners) && self.is_below(corners);
-        });
-        let [a, b, c] = self.corners.map(|corner| self.view.of(corner));
-        inside_above == orient2d(a, b, c).is_positive()
+    /// Whether the normal of the triangle points up along the line.
+    fn sees_front(&self) -> bool {
+        let [a, b, c] = self.seen(self.own);
+        orient2d(a, b, c).is_positive()
     }
 
-    /// Whether the line, moved aside by a little along the first coordinate of the view and by far less along the second, goes
-    /// through a triangle.
+    fn seen<const N: usize>(&self, places: [DVec3; N]) -> [DVec2; N] {
+        places.map(|place| self.view.of(place))
+    }
+
+    /// Whether the line goes through a triangle.
     fn crosses(&self, corners: [DVec3; 3]) -> bool {
-        let [a, b, c] = corners.map(|corner| self.view.of(corner));
-        let side = |from: DVec2, to: DVec2| {
-            let exact = orient2d(from, to, self.at);
-            let moved_along_first = || Sign::of(from.y - to.y);
-            let moved_along_second = || Sign::of(to.x - from.x);
-            let tie =
-                |sign: Sign, next: &dyn Fn() -> Sign| if sign.is_zero() { next() } else { sign };
-            tie(tie(exact, &moved_along_first), &moved_along_second)
+        let own = self.seen(self.own);
+        let side = |[from, to]: [DVec2; 2]| {
+            let mut sides = own.into_iter().map(|corner| orient2d(from, to, corner));
+            sides.find(|side| !side.is_zero()).unwrap_or(Sign::Zero)
         };
-        orient2d(a, b, c) != Sign::Zero && {
-            let turns = [side(a, b), side(b, c), side(c, a)];
-            turns == [turns[0]; 3]
-        }
+        let [a, b, c] = self.seen(corners);
+        // A triangle that runs along the line has area in no view of it.
+        let turn = orient2d(a, b, c);
+        let edges = [[a, b], [b, c], [c, a]];
+        turn != Sign::Zero && edges.into_iter().all(|edge| side(edge) == turn)
     }
 
     /// Whether the triangle of the line is below one that the line crosses.
@@ -112,7 +102,7 @@ impl Probe {
     /// they are not in one plane either, so it is strictly below at one of its corners: at a corner of one of them, or where
     /// two edges cross.
     fn is_below(&self, other: [DVec3; 3]) -> bool {
-        let own = self.corners;
+        let own = self.own;
         let above = other.into_iter().map(|corner| self.height(corner, own));
         let below = own.into_iter().map(|corner| -self.height(corner, other));
         let crossing = edges(own)
@@ -124,7 +114,7 @@ impl Probe {
 
     /// `Positive` when a point is above a triangle, `Zero` when it is on its plane or above or below nothing of it.
     fn height(&self, point: DVec3, triangle: [DVec3; 3]) -> Sign {
-        let [p, a, b, c] = [point, triangle[0], triangle[1], triangle[2]].map(|p| self.view.of(p));
+        let [p, a, b, c] = self.seen([point, triangle[0], triangle[1], triangle[2]]);
         let turn = orient2d(a, b, c);
         let outside = |[from, to]: [DVec2; 2]| orient2d(from, to, p) == -turn;
         if [[a, b], [b, c], [c, a]].into_iter().any(outside) {
@@ -134,9 +124,9 @@ impl Probe {
         orient3d(a, b, c, point) * turn
     }
 
-    /// `Positive` when `across` goes over `edge`, `Zero` when they meet or seem not to cross.
+    /// `Positive` when `across` goes over `edge`, `Zero` when they meet or are not seen to cross.
     fn height_of_crossing(&self, edge: [DVec3; 2], across: [DVec3; 2]) -> Sign {
-        let [[a, b], [c, d]] = [edge, across].map(|ends| ends.map(|p| self.view.of(p)));
+        let [[a, b], [c, d]] = [edge, across].map(|ends| self.seen(ends));
         let turn = orient2d(a, b, d);
         let parts = |sign: Sign, other: Sign| !sign.is_zero() && sign == -other;
         if parts(orient2d(a, b, c), turn) && parts(orient2d(c, d, a), orient2d(c, d, b)) {
