@@ -124,8 +124,8 @@ fn what_is_no_surface_is_said_in_one_line() {
     let quad = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
     let none = "OFF\n1 0 0\n0 0 0\n";
     let folder = Folder::with(&[("quad.off", quad), ("none.off", none)]);
-    insta::assert_snapshot!(folder.error(&["check", "quad.off"]), @"");
-    insta::assert_snapshot!(folder.error(&["check", "none.off"]), @"");
+    insta::assert_snapshot!(folder.error(&["check", "quad.off"]), @"vide: quad.off: cell 0 is a quad, but a surface has triangles");
+    insta::assert_snapshot!(folder.error(&["check", "none.off"]), @"vide: none.off: the surface has no triangles");
     assert!(
         folder
             .error(&["check", "missing.off"])
