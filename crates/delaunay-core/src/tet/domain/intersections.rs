@@ -12,9 +12,9 @@ use crate::threads;
 use glam::DVec3;
 
 /// Triangles between two reports.
-const BATCH: usize = 8192;
+const BATCH: usize = 2048;
 /// Triangles that one thread takes at a time.
-const PIECE: usize = 512;
+const PIECE: usize = 128;
 
 /// The triangles of space among those given, each with its box.
 pub(super) struct Boxed<'a> {
