@@ -3,6 +3,7 @@
 use super::defect::Intersection;
 use super::defects::DomainDefects;
 use super::hierarchy::Hierarchy;
+use super::parting::{Seen, best_view};
 use super::soup::Soup;
 use crate::ids::VertexId;
 use crate::progress::{Cancelled, Meter};
@@ -79,31 +80,44 @@ impl<'a> Boxed<'a> {
 
     /// The pairs whose smaller index is among these, in order; no further than one beyond `most`.
     fn pairs_of(&self, triangles: &[usize], most: usize) -> Vec<Intersection> {
-        let place = |v| self.place(v);
-        let (mut pairs, mut near) = (Vec::new(), Vec::new());
+        let (mut pairs, mut later) = (Vec::new(), Vec::new());
         for &first in triangles {
             let bounds = self.bounds(first);
-            near.clear();
+            later.clear();
             self.hierarchy.meeting(bounds, |second| {
                 if second > first {
-                    near.push(second);
+                    later.push(second);
                 }
             });
-            near.sort_unstable();
-            for &second in &near {
-                if triangles_intersect(place, self.corners[first], self.corners[second]) {
-                    let near = bounds.common(self.bounds(second)).middle();
-                    pairs.push(Intersection {
-                        first,
-                        second,
-                        near,
-                    });
-                    if pairs.len() > most {
-                        return pairs;
-                    }
+            self.keep_intersecting(first, &mut later);
+            later.sort_unstable();
+            for &second in &later {
+                let near = bounds.common(self.bounds(second)).middle();
+                pairs.push(Intersection {
+                    first,
+                    second,
+                    near,
+                });
+                if pairs.len() > most {
+                    return pairs;
                 }
             }
         }
         pairs
+    }
+
+    /// Keeps the triangles that intersect the first one.
+    fn keep_intersecting(&self, first: usize, others: &mut Vec<usize>) {
+        let place = |v| self.place(v);
+        let view = best_view(self.corners[first].map(place));
+        let seen = |triangle: usize| {
+            let corners = self.corners[triangle];
+            Seen::of(view, corners, corners.map(place))
+        };
+        let own = seen(first);
+        others.retain(|&second| {
+            !own.parted(&seen(second))
+                && triangles_intersect(place, self.corners[first], self.corners[second])
+        });
     }
 }

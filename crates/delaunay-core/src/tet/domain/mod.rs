@@ -6,7 +6,7 @@
 //! | points and triangles one by one, and which are twice | `soup.rs`, `places.rs` |
 //! | how many triangles an edge has, and what is open | `edges.rs`, `holes.rs` |
 //! | triangles that agree on their two sides | `patches.rs` |
-//! | triangles that intersect | `intersections.rs`, `hierarchy.rs` |
+//! | triangles that intersect | `intersections.rs`, `hierarchy.rs`, `parting.rs` |
 //! | which side of a patch is inside | `outwards.rs` |
 //! | what was repaired | `options.rs`, `repairs.rs` |
 //! | what is wrong | `defect.rs`, `kind.rs`, `defects.rs`, `error.rs` |
@@ -23,6 +23,7 @@ mod intersections;
 mod kind;
 mod options;
 mod outwards;
+mod parting;
 mod patches;
 mod places;
 mod repairs;
