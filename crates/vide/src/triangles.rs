@@ -30,15 +30,12 @@ impl Triangles {
     ///
     /// # Errors
     /// The first other cell.
-    ///
-    /// # Panics
-    /// When a corner is `u32::MAX`; a mesh that passes [`Mesh::check`] has none.
     pub fn of(mesh: &Mesh) -> Result<Self, NoTriangle> {
         let mut triangles = Vec::new();
         let mut markers = mesh.cell_markers.as_ref().map(|_| Vec::new());
         for (cell, shape) in mesh.cells.iter().enumerate() {
             if let Cell::Triangle(corners) = shape {
-                triangles.push(corners.map(|corner| VertexId::new(corner as usize)));
+                triangles.push(corners.map(vertex));
                 if let (Some(kept), Some(given)) = (&mut markers, &mesh.cell_markers) {
                     kept.extend(given.get(cell));
                 }
@@ -53,6 +50,12 @@ impl Triangles {
             markers,
         })
     }
+}
+
+/// The one index that is beyond all ids is that of the ghost, which is no point either.
+fn vertex(corner: u32) -> VertexId {
+    let index = Some(corner as usize).filter(|&index| index < VertexId::LIMIT);
+    index.map_or(VertexId::GHOST, VertexId::new)
 }
 
 #[cfg(test)]

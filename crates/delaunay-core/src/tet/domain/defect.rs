@@ -178,8 +178,10 @@ impl DomainDefect {
     #[must_use]
     pub fn vertices(&self) -> Vec<VertexId> {
         match self {
-            // An index beyond all ids cannot come from a slice of points that was accepted.
-            Self::Coordinate(of) => vec![VertexId::new(of.index)],
+            Self::Coordinate(of) => {
+                let index = Some(of.index).filter(|&index| index < VertexId::LIMIT);
+                index.map(VertexId::new).into_iter().collect()
+            }
             Self::NoSuchCorner(of) => vec![of.vertex],
             Self::Coincident(of) => vec![of.first, of.second.vertex],
             _ => self.placed().iter().map(|placed| placed.vertex).collect(),
