@@ -1,4 +1,5 @@
-//! A quick way to see that two triangles do not intersect: along an axis, an edge of one has the other beyond it.
+//! A quick way to see that two triangles do not intersect: along an axis, an edge of one has the other beyond it, or in space the
+//! plane of one has the other on one side.
 //!
 //! ```text
 //!          ·-----·         All that the line has of the first triangle is its edge, and all that it has of the second
@@ -12,42 +13,58 @@
 
 use crate::ids::VertexId;
 use crate::tet::projection::View;
-use geo_predicates::{Sign, orient2d};
+use geo_predicates::{Sign, orient2d, orient3d};
 use glam::{DVec2, DVec3};
 
 /// A triangle as it is seen along an axis.
 pub(super) struct Seen {
     corners: [VertexId; 3],
-    places: [DVec2; 3],
+    places: [DVec3; 3],
+    seen: [DVec2; 3],
     turn: Sign,
 }
 
 impl Seen {
     pub(super) fn of(view: View, corners: [VertexId; 3], places: [DVec3; 3]) -> Self {
-        let places = places.map(|place| view.of(place));
-        let [a, b, c] = places;
+        let seen = places.map(|place| view.of(place));
+        let [a, b, c] = seen;
         Self {
             corners,
             places,
+            seen,
             turn: orient2d(a, b, c),
         }
     }
 
-    /// Whether an edge of one of the triangles parts them, so that they have nothing in common but corners and an edge that they
+    /// Whether an edge or the plane of one of the triangles parts them, so that they have nothing in common but corners and an edge that they
     /// share. Exact when true; when false, they may be parted all the same.
     pub(super) fn parted(&self, other: &Self) -> bool {
-        self.has_beyond_an_edge(other) || other.has_beyond_an_edge(self)
+        self.has_beyond_an_edge(other)
+            || other.has_beyond_an_edge(self)
+            || self.has_on_one_side(other)
+            || other.has_on_one_side(self)
     }
 
     /// Whether the other triangle, but for shared corners, is strictly beyond an edge of this one.
     fn has_beyond_an_edge(&self, other: &Self) -> bool {
         let beyond = |[from, to]: [usize; 2]| {
             let ends = [self.corners[from], self.corners[to]];
-            let [p, q] = [self.places[from], self.places[to]];
-            let mut corners = other.corners.iter().zip(other.places);
+            let [p, q] = [self.seen[from], self.seen[to]];
+            let mut corners = other.corners.iter().zip(other.seen);
             corners.all(|(v, place)| ends.contains(v) || orient2d(p, q, place) == -self.turn)
         };
         self.turn != Sign::Zero && [[0, 1], [1, 2], [2, 0]].into_iter().any(beyond)
+    }
+
+    /// Whether the other triangle, but for shared corners, is strictly on one side of the plane of this one.
+    fn has_on_one_side(&self, other: &Self) -> bool {
+        let [a, b, c] = self.places;
+        let corners = other.corners.iter().zip(other.places);
+        let mut sides = corners
+            .filter(|(v, _)| !self.corners.contains(v))
+            .map(|(_, place)| orient3d(a, b, c, place));
+        let first = sides.next().unwrap_or(Sign::Zero);
+        first != Sign::Zero && sides.all(|side| side == first)
     }
 }
 
