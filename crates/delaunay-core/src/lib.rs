@@ -44,6 +44,7 @@
 //!   data about elements live in a `Vec` beside the mesh, indexed by the `index()` of their ids.
 //! - An [`Outline`] is a closed curve of segments in the plane; [`Outline::region`] finds the triangles that it encloses.
 //! - A [`Surface`] is a closed surface of triangles; [`Surface::solid`] finds the tetrahedra that it encloses.
+//! - A [`Domain3`] is triangles found to bound bodies, or regions; [`Domain3::build`] lists all that is wrong with others.
 //! - [`Subcomplex2`] and [`Subcomplex3`] are parts of a triangulation with a boundary that no insertion inside changes; in a
 //!   [`Complex3`] tetrahedra need not be Delaunay.
 //! - Signs, ids, ghosts and the accepted coordinates are as in `docs/conventions.md`. All decisions about
@@ -76,6 +77,11 @@ pub use tet::{
     FACET_CORNERS, Flip, FlipError, HalfSpace, HalfSpaceError, Location3, Met, Moments, Patch,
     PolyhedronError, PolyhedronFace, Ring, Side, Star, Subcomplex3, TetMesh, Violation3, Voronoi3,
     VoronoiEdge3, VoronoiFacet3,
+};
+pub use tet::{
+    Coincident, DefectKind, Domain3, Domain3Options, DomainDefect, DomainDefects, DomainError,
+    Hole, Intersection, MarkerCount, NoArea, NoSuchCorner, OddEdge, OneSided, OpenEdge, Placed,
+    Repairs, RepeatedCorner, RepeatedTriangle, Shell, UnusedPoint,
 };
 pub use tet::{Regular3, RegularViolation3};
 pub use tet::{

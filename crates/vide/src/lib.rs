@@ -41,6 +41,7 @@ pub mod plane;
 mod polygons;
 pub mod quality;
 pub mod solid;
+pub mod triangles;
 pub mod voronoi;
 
 pub use bubble_mesh;

@@ -8,6 +8,7 @@
 //! | all points | `build.rs`, `simplex.rs`, `bulk/`; a few `grow.rs` |
 //! | one point less, or elsewhere | `remove.rs`, `movement.rs`, `wrapping.rs` |
 //! | a closed surface and what it encloses | `surface.rs`, `region.rs`, `sweep.rs`, `intersection.rs`, `projection.rs` |
+//! | triangles judged, all that is wrong with them | `domain/`, `bounds.rs` |
 //! | tetrahedra made elsewhere | `boundary_of_tets.rs` |
 //! | a part with a boundary of its own | `subcomplex.rs`, `boundary_cavity.rs`, `patch.rs`, `merge.rs`; not Delaunay `complex.rs` |
 //! | weighted points | `regular/` |
@@ -20,6 +21,7 @@
 mod around;
 mod boundary_cavity;
 mod boundary_of_tets;
+mod bounds;
 mod build;
 mod bulk;
 mod canonical;
@@ -31,6 +33,7 @@ mod clip;
 mod complex;
 mod coplanar;
 mod delaunay;
+mod domain;
 mod dual;
 mod exchange;
 mod face;
@@ -71,6 +74,11 @@ pub use cavity::Cavity3;
 pub use check::Violation3;
 pub use complex::{Complex3, ComplexError};
 pub use delaunay::Delaunay3;
+pub use domain::{
+    Coincident, DefectKind, Domain3, Domain3Options, DomainDefect, DomainDefects, DomainError,
+    Hole, Intersection, MarkerCount, NoArea, NoSuchCorner, OddEdge, OneSided, OpenEdge, Placed,
+    Repairs, RepeatedCorner, RepeatedTriangle, Shell, UnusedPoint,
+};
 pub use dual::{Voronoi3, VoronoiEdge3, VoronoiFacet3};
 pub use face::PolyhedronFace;
 pub use flip::{Flip, FlipError};

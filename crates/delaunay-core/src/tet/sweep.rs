@@ -8,39 +8,12 @@
 //!            │ ->
 //! ```
 
+use super::bounds::Bounds;
 use super::intersection::triangles_intersect;
 use super::surface::Surface;
 use crate::ids::VertexId;
 use crate::progress::{Cancelled, Meter};
 use glam::DVec3;
-
-/// The smallest box along the axes that holds something.
-#[derive(Clone, Copy)]
-struct Bounds {
-    low: DVec3,
-    high: DVec3,
-}
-
-impl Bounds {
-    fn of(places: impl IntoIterator<Item = DVec3>) -> Self {
-        let nothing = Self {
-            low: DVec3::INFINITY,
-            high: DVec3::NEG_INFINITY,
-        };
-        places.into_iter().fold(nothing, |bounds, p| Self {
-            low: bounds.low.min(p),
-            high: bounds.high.max(p),
-        })
-    }
-
-    fn size(self) -> DVec3 {
-        self.high - self.low
-    }
-
-    fn meets(self, other: Self) -> bool {
-        self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
-    }
-}
 
 /// The first pair of intersecting triangles, the smaller number in front, of which at least one is suspect; `None`
 /// when there is none.

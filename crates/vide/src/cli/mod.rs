@@ -3,6 +3,7 @@
 
 mod block;
 mod bubble;
+mod check;
 mod delaunay;
 mod failure;
 mod number;
@@ -38,6 +39,11 @@ enum Command {
     Block(block::BlockArgs),
     /// Delaunay triangulation of the points of a file
     Delaunay(delaunay::DelaunayArgs),
+    /// Whether a surface of triangles bounds bodies, and all that is wrong with it
+    ///
+    /// Exit code 0 when it does, else 1; of each kind of defect the first 20 are listed, and all of them in the report. Nothing is
+    /// changed: what would have to be repaired is said.
+    Check(check::CheckArgs),
     /// Quality of the cells of a mesh file
     Quality(quality::QualityArgs),
     /// Graded triangles within a planar outline, as large as its edges ask for and none of them poor
@@ -72,6 +78,7 @@ pub(crate) fn run() -> ExitCode {
     let outcome = match Cli::parse().command {
         Command::Block(args) => args.common.on_threads(|| block::run(&args)),
         Command::Delaunay(args) => args.common.on_threads(|| delaunay::run(&args)),
+        Command::Check(args) => args.common.on_threads(|| check::run(&args)),
         Command::Quality(args) => args.common.on_threads(|| quality::run(&args)),
         Command::Bubble(args) => {
             args.check().unwrap_or_else(|usage| usage.exit());

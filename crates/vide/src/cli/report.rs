@@ -9,6 +9,7 @@ use vide::quality::Measured;
 use vide::sink_refine;
 
 use super::bubble::Bubbles;
+use super::check::Check;
 use super::refine::{Improvement, Refinement};
 
 /// The report of any subcommand; what a command does not make is left out.
@@ -50,6 +51,8 @@ pub(crate) struct Report {
     pub(crate) improvement: Option<Improvement>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) bubbles: Option<Bubbles>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) check: Option<Check>,
     pub(crate) quality: BTreeMap<String, Spread>,
     pub(crate) seconds: BTreeMap<String, f64>,
     pub(crate) stop: Stop,
