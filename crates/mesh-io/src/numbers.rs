@@ -9,7 +9,7 @@ use crate::error::{Place, ReadError, ReadProblem};
 pub enum Encoding {
     /// Decimal, between blanks.
     Ascii,
-    /// Little-endian: integers of 4 bytes, sizes of 8, IEEE 754 doubles.
+    /// Little-endian, IEEE 754; of what width is up to the format.
     Binary,
 }
 

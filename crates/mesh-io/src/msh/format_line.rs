@@ -39,8 +39,8 @@ pub(super) fn read_format(file: &mut Numbers<'_>) -> Result<Version, ReadError> 
     let version = match (number, binary, width) {
         (4.1, 0 | 1, 8) => Version::V41,
         (4.1, 0 | 1, _) => return unsupported(format!("an MSH file with sizes of {width} bytes")),
-        (2.0..3.0, 0, _) => Version::V2,
-        (2.0..3.0, 1, _) => return unsupported("MSH version 2 in binary".into()),
+        (2.0..3.0, 0, _) | (2.0..3.0, 1, 8) => Version::V2,
+        (2.0..3.0, 1, _) => return unsupported(format!("an MSH file with reals of {width} bytes")),
         (_, 0 | 1, _) => return unsupported(format!("MSH version {number}")),
         _ => return unsupported(format!("MSH file type {binary}")),
     };
