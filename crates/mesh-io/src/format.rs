@@ -8,7 +8,9 @@ use std::path::Path;
 pub enum Format {
     /// VTK XML unstructured grid, `.vtu`.
     Vtu,
-    /// Gmsh MSH 4.1, `.msh`.
+    /// Legacy VTK, `.vtk`.
+    Vtk,
+    /// Gmsh MSH, `.msh`.
     Msh,
     /// Medit in ASCII, `.mesh`.
     Medit,
@@ -48,7 +50,7 @@ pub enum Format {
 
 impl Format {
     /// Every name that [`Format::from_path`] knows, for messages.
-    pub const EXTENSIONS: &'static str = ".vtu .msh .mesh .p3d .p3b blockMeshDict .node .ele .poly .smesh .off .svg .xy .xyz .f64 .ply .stl .obj .geojson .json";
+    pub const EXTENSIONS: &'static str = ".vtu .vtk .msh .mesh .p3d .p3b blockMeshDict .node .ele .poly .smesh .off .svg .xy .xyz .f64 .ply .stl .obj .geojson .json";
 
     /// The format that a path names by its file name or extension (in any case); `None` when it names none.
     #[must_use]
@@ -56,6 +58,7 @@ impl Format {
         let extension = path.extension().or_else(|| path.file_name())?.to_str()?;
         Some(match extension.to_ascii_lowercase().as_str() {
             "vtu" => Self::Vtu,
+            "vtk" => Self::Vtk,
             "msh" => Self::Msh,
             "mesh" => Self::Medit,
             "p3d" => Self::Plot3dAscii,
@@ -92,6 +95,7 @@ impl fmt::Display for Format {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(match self {
             Self::Vtu => "VTU",
+            Self::Vtk => "VTK",
             Self::Msh => "MSH",
             Self::Medit => "Medit",
             Self::Plot3dAscii => "Plot3D ASCII",

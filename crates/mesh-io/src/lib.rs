@@ -19,6 +19,7 @@
 //! | name of the file | [`Format`] | reads | writes | keeps |
 //! |---|---|---|---|---|
 //! | `.vtu` | [`vtu`] | mesh | mesh | everything |
+//! | `.vtk` | [`vtk`] | mesh | mesh, in ASCII | everything |
 //! | `.msh` | [`msh`] | mesh | mesh | everything, markers of cells as physical groups |
 //! | `.mesh` | [`medit`] | mesh | all cells but vertices | points, cells kind by kind, markers |
 //! | `.p3d`, `.p3b` | [`plot3d`] | blocks | blocks | names and connections in a [`connectivity_map`] beside it |
@@ -82,6 +83,7 @@ pub mod svg;
 pub mod svg_outline;
 pub mod tetgen;
 pub mod triangle;
+pub mod vtk;
 pub mod vtu;
 mod write;
 mod write_as;

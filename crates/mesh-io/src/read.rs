@@ -17,7 +17,7 @@ use crate::planar_graph::PlanarGraph;
 use crate::points::Coordinates;
 use crate::{
     circles_toml, connectivity_map, geojson, medit, msh, obj, off, plot3d, ply, stl, svg_outline,
-    tetgen, triangle, vtu, xy,
+    tetgen, triangle, vtk, vtu, xy,
 };
 
 /// Bytes read at most from a device or a pipe, which may never end.
@@ -54,6 +54,7 @@ pub(crate) fn mesh_of(path: &Path, format: Format, bytes: &[u8]) -> Result<Mesh,
         Format::TrianglePoly => Ok(triangle::parse_poly(bytes, || nodes_beside(path))?.as_mesh()),
         Format::GeoJson => Ok(geojson::parse(bytes)?.as_mesh()),
         Format::Vtu => vtu::parse(bytes),
+        Format::Vtk => vtk::parse(bytes),
         Format::Plot3dAscii | Format::Plot3dBinary => {
             Ok(blocks_of(path, format, bytes)?.to_mesh()?)
         }

@@ -141,9 +141,16 @@ fn binary_v2(mesh: &Mesh) -> Vec<u8> {
             CellKind::Pyramid => 7,
             CellKind::Vertex => 15,
         };
-        file.extend([gmsh_type, run.len() as i32, 2].map(i32::to_le_bytes).as_flattened());
+        file.extend(
+            [gmsh_type, run.len() as i32, 2]
+                .map(i32::to_le_bytes)
+                .as_flattened(),
+        );
         for cell in run {
-            let marker = mesh.cell_markers.as_ref().map_or(0, |markers| markers[tag as usize]);
+            let marker = mesh
+                .cell_markers
+                .as_ref()
+                .map_or(0, |markers| markers[tag as usize]);
             tag += 1;
             file.extend([tag, marker, 1].map(i32::to_le_bytes).as_flattened());
             let corners = cell.corners().iter();
@@ -300,7 +307,11 @@ fn version_2_is_written_as_its_manual_says_and_refused_in_binary_with_the_byte()
         file[at..at + 4].copy_from_slice(&bytes);
         parse(&file).unwrap_err().to_string()
     };
-    let elements = file.windows(9).position(|window| window == b"$Elements").unwrap() + 12;
+    let elements = file
+        .windows(9)
+        .position(|window| window == b"$Elements")
+        .unwrap()
+        + 12;
     let errors = [
         error(elements, [9, 0, 0, 0]),
         error(elements + 4, [4, 0, 0, 0]),
@@ -309,7 +320,14 @@ fn version_2_is_written_as_its_manual_says_and_refused_in_binary_with_the_byte()
         error(elements + 8, [0xff, 0xff, 0xff, 0x7f]),
         error(elements + 24, [6, 0, 0, 0]),
     ];
-    insta::assert_snapshot!(errors.join("\n"), @"");
+    insta::assert_snapshot!(errors.join("\n"), @r"
+    byte 212: MSH element type 9 is not supported
+    byte 216: expected 1 to 3 elements in the block of element 0, found 4
+    byte 216: expected 1 to 3 elements in the block of element 0, found 0
+    byte 216: expected how many elements follow 0, found -1
+    byte 332: the file ends where tag 26 of element 0 should follow
+    byte 236: element 0: there is no node 6
+    ");
 }
 
 /// A reader that indexes the elements anew for every section would need minutes here.

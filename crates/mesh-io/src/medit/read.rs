@@ -125,7 +125,8 @@ fn pass(tokens: &mut Tokens<'_>, section: &str, words: usize) -> Result<(), Read
     let count: usize = tokens.number(format_args!("the number of elements in {section}"))?;
     for index in 0..count {
         for _ in 0..words {
-            tokens.word(format_args!("element {index} of {count} in {section}"))?;
+            let expected = format_args!("element {index} of {count} in {section}");
+            let _passed: f64 = tokens.number(expected)?;
         }
     }
     Ok(())
@@ -181,12 +182,12 @@ mod tests {
         insta::assert_snapshot!(error("1 0 0 1", "1 0 0 1.5"), @"line 9: expected the reference of point 1, found `1.5`");
         insta::assert_snapshot!(error("Vertices\n4", "Vertices\n5"), @"line 13: expected coordinate x of point 4, found `Corners`");
         insta::assert_snapshot!(error("Vertices\n4", "Vertices\n3"), @"line 11: expected the name of a section, found `0`");
-        insta::assert_snapshot!(error(" 4 11", " 5 11"), @"line 31: triangle 1: there is no point 5");
-        insta::assert_snapshot!(error(" 4 11", " 0 11"), @"line 31: triangle 1: there is no point 0");
+        insta::assert_snapshot!(error(" 4 11", " 5 11"), @"line 33: triangle 1: there is no point 5");
+        insta::assert_snapshot!(error(" 4 11", " 0 11"), @"line 33: triangle 1: there is no point 0");
         insta::assert_snapshot!(error("Corners", "Vertices"), @"line 13: a second section Vertices is not supported");
         insta::assert_snapshot!(error("# by hand", "Edges 0"), @"line 5: expected the section Vertices first, found Edges");
-        insta::assert_snapshot!(error("End\n", "End\n7"), @"line 42: expected the end of the file, found `7`");
-        insta::assert_snapshot!(error("Corners\n2", "Corners\n99999999999999"), @"line 41: the file ends where element 44 of 99999999999999 in Corners should follow");
-        insta::assert_snapshot!(error("Edges\n1", "Edges\n99999999999999"), @"line 35: expected point 0 of segment 1, found `Tetrahedra`");
+        insta::assert_snapshot!(error("End\n", "End\n7"), @"line 45: expected the end of the file, found `7`");
+        insta::assert_snapshot!(error("Corners\n2", "Corners\n99999999999999"), @"line 18: expected element 2 of 99999999999999 in Corners, found `Ridges`");
+        insta::assert_snapshot!(error("Edges\n1", "Edges\n99999999999999"), @"line 39: expected point 0 of segment 1, found `Tetrahedra`");
     }
 }

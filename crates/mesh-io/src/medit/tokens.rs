@@ -30,12 +30,7 @@ impl<'a> Tokens<'a> {
         Ok(self.line.insert(line))
     }
 
-    /// The next word.
-    pub(super) fn word(&mut self, expected: Arguments<'_>) -> Result<&'a str, ReadError> {
-        let word = self.line(expected)?.word();
-        Ok(word.unwrap_or_default())
-    }
-
+    /// The next word as a number.
     pub(super) fn number<T: FromStr>(&mut self, expected: Arguments<'_>) -> Result<T, ReadError> {
         self.line(expected)?.number(expected)
     }

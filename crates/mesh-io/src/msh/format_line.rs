@@ -1,6 +1,6 @@
 //! `$MeshFormat`: version, encoding and the width of sizes.
 
-use super::section::{decimal, end_line, end_section, next_section};
+use super::section::{decimal, end_section, next_section};
 use crate::error::{ReadError, ReadProblem};
 use crate::numbers::{Encoding, Numbers, quoted};
 
@@ -45,7 +45,7 @@ pub(super) fn read_format(file: &mut Numbers<'_>) -> Result<Version, ReadError> 
         _ => return unsupported(format!("MSH file type {binary}")),
     };
     if binary == 1 {
-        end_line(file);
+        file.end_line();
         file.encoding = Encoding::Binary;
         check_byte_order(file)?;
     }

@@ -34,13 +34,13 @@ impl Parts {
     }
 
     /// Reads the corners of a cell, each by `read_tag`, and appends it.
-    pub(super) fn read_cell(
+    pub(super) fn read_cell<'f>(
         &mut self,
-        file: &mut Numbers<'_>,
+        file: &mut Numbers<'f>,
         kind: CellKind,
         tag: u64,
         marker: Option<i32>,
-        read_tag: for<'f> fn(&mut Numbers<'f>, Arguments<'_>) -> Result<u64, ReadError>,
+        read_tag: fn(&mut Numbers<'f>, Arguments<'_>) -> Result<u64, ReadError>,
     ) -> Result<(), ReadError> {
         let index = self.cell_tags.len();
         let Some(nodes) = &self.nodes else {

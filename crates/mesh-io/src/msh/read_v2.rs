@@ -8,7 +8,7 @@ use std::fmt::Arguments;
 use super::element_type::cell_kind;
 use super::nodes::Nodes;
 use super::parts::{Parts, unsupported_type};
-use super::section::{decimal, end_line, end_section};
+use super::section::{decimal, end_section};
 use crate::cell::CellKind;
 use crate::error::{ReadError, ReadProblem};
 use crate::numbers::{Encoding, Numbers};
@@ -82,11 +82,7 @@ fn read_kind(file: &mut Numbers<'_>, index: usize) -> Result<CellKind, ReadError
 }
 
 /// The marker among so many tags; `None` where there is none.
-fn read_marker(
-    file: &mut Numbers<'_>,
-    index: usize,
-    tags: u64,
-) -> Result<Option<i32>, ReadError> {
+fn read_marker(file: &mut Numbers<'_>, index: usize, tags: u64) -> Result<Option<i32>, ReadError> {
     let mut marker = 0;
     for k in 0..tags {
         let tag = file.int(format_args!("tag {k} of element {index}"))?;
@@ -107,7 +103,7 @@ fn read_marker(
 fn read_count(file: &mut Numbers<'_>, expected: &str) -> Result<u64, ReadError> {
     let count = decimal(file, expected)?;
     if file.encoding == Encoding::Binary {
-        end_line(file);
+        file.end_line();
     }
     Ok(count)
 }

@@ -10,7 +10,10 @@ use crate::mesh::{DataArray, Mesh};
 use crate::write_as;
 
 /// Writes names of physical groups, where there are some.
-pub(super) fn write_names<W: Write>(out: &mut Sink<'_, W>, names: &[PhysicalName]) -> Result<(), WriteError> {
+pub(super) fn write_names<W: Write>(
+    out: &mut Sink<'_, W>,
+    names: &[PhysicalName],
+) -> Result<(), WriteError> {
     if names.is_empty() {
         return Ok(());
     }
@@ -28,7 +31,10 @@ pub(super) fn write_names<W: Write>(out: &mut Sink<'_, W>, names: &[PhysicalName
 }
 
 /// Writes point markers, and data of points and cells.
-pub(super) fn write_all_data<W: Write>(out: &mut Sink<'_, W>, mesh: &Mesh) -> Result<(), WriteError> {
+pub(super) fn write_all_data<W: Write>(
+    out: &mut Sink<'_, W>,
+    mesh: &Mesh,
+) -> Result<(), WriteError> {
     if let Some(markers) = &mesh.point_markers {
         let values = markers.iter().map(|&marker| marker.into()).collect();
         write_data(out, "NodeData", &DataArray::scalar(POINT_MARKERS, values))?;
