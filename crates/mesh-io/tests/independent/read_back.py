@@ -30,15 +30,15 @@ def with_meshio(path, expected):
     points = [[*map(float, p)] + [0.0] * (3 - len(p)) for p in mesh.points]
     cells = [[KINDS[b.type], [int(c) for c in cell]] for b in mesh.cells for cell in b.data]
     # meshio turns the wedges of VTK round, so they come out like those of Gmsh.
-    names = [n for n in ("marker", "gmsh:physical") if n in mesh.cell_data]
+    names = [n for n in ("marker", "gmsh:physical", "medit:ref") if n in mesh.cell_data]
     markers = [int(m) for block in mesh.cell_data[names[0]] for m in block] if names else None
     return points, cells, markers
 
 
 def with_vtk(path, expected):
     vtk = importlib.import_module("vtk")
-    if path.suffix == ".vtu":
-        reader = vtk.vtkXMLUnstructuredGridReader()
+    if path.suffix in (".vtu", ".vtk"):
+        reader = vtk.vtkXMLUnstructuredGridReader() if path.suffix == ".vtu" else vtk.vtkUnstructuredGridReader()
         reader.SetFileName(str(path))
         reader.Update()
         grid = reader.GetOutput()
@@ -283,7 +283,12 @@ def check_patches(boundary, hexes, front):
 
 READERS = {
     ".vtu": [with_meshio, with_vtk],
+    ".vtk": [with_meshio, with_vtk],
     ".msh": [with_meshio, with_gmsh],
+    ".mesh": [with_meshio, with_gmsh],
+    ".ply": [with_meshio],
+    ".obj": [with_meshio],
+    ".stl": [with_meshio],
     ".off": [with_meshio],
     ".ele": [with_meshio, by_hand_triangle],
     ".poly": [by_hand_triangle],
