@@ -59,13 +59,13 @@ fn write_data<W: Write>(
     } = array;
     check_name("data", name)?;
     if ![1, 3, 9].contains(components) {
-        return Err(unsupported(format!(
+        return Err(unsupported(&format!(
             "data `{name}` of {components} components, only of 1, 3 or 9"
         )));
     }
     let rows = values.len() / components;
     if i32::try_from(rows).is_err() {
-        return Err(unsupported(format!(
+        return Err(unsupported(&format!(
             "data `{name}` of {rows} rows, which 32-bit tags cannot name"
         )));
     }
@@ -83,13 +83,13 @@ fn write_data<W: Write>(
 
 fn check_name(what: &str, name: &str) -> Result<(), WriteError> {
     if name.contains(['"', '\n', '\r']) {
-        return Err(unsupported(format!(
+        return Err(unsupported(&format!(
             "{what} with a quotation mark or a line break: {name:?}"
         )));
     }
     Ok(())
 }
 
-fn unsupported(what: String) -> WriteError {
-    write_as::unsupported(Format::Msh, &what)
+fn unsupported(what: &str) -> WriteError {
+    write_as::unsupported(Format::Msh, what)
 }

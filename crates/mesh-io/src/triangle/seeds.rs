@@ -4,6 +4,7 @@ use crate::error::ReadError;
 use crate::lines::{Line, Lines};
 
 /// What stands on the line of a region.
+#[derive(Clone, Copy)]
 pub(crate) struct RegionSeed<const N: usize> {
     pub(crate) place: [f64; N],
     pub(crate) attribute: f64,

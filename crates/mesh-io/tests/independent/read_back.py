@@ -94,7 +94,9 @@ def with_gmsh(path, expected):
             size = len(nodes) // len(elements)
             for e, element in enumerate(elements):
                 corners = [index[int(n)] for n in nodes[size * e:size * e + size]]
-                cells.append((int(element), [GMSH_KINDS[kind], corners], int(physical[0]) if physical else 0))
+                # What Medit calls references are entities in Gmsh.
+                marker = entity if path.suffix == ".mesh" else int(physical[0]) if physical else 0
+                cells.append((int(element), [GMSH_KINDS[kind], corners], marker))
     gmsh.finalize()
     cells.sort()
     return points, [cell for _, cell, _ in cells], [marker for _, _, marker in cells]
