@@ -3,8 +3,10 @@
 use mesh_io::{Mesh, ReadError, medit, msh, obj, off, ply, stl, tetgen, triangle, vtk};
 use proptest::prelude::*;
 
+type Parse = fn(&[u8]) -> Result<Mesh, ReadError>;
+
 /// Starts of files, and the readers that they are for.
-const STARTS: [(&[u8], fn(&[u8]) -> Result<Mesh, ReadError>); 17] = [
+const STARTS: [(&[u8], Parse); 17] = [
     (b"", off::parse),
     (b"STCNOFF\n1 1 0\n0 0 0 ", off::parse),
     (b"1 1 0\n0 0 0\n", off::parse),
