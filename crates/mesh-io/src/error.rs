@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use crate::blocks::BlocksDefect;
 use crate::mesh::{Axis, MeshDefect};
+use crate::piecewise_complex::{ComplexDefect, NoTriangle};
 use crate::points::OffPlane;
 use crate::svg_outline::DrawingDefect;
 
@@ -153,6 +154,9 @@ pub enum ReadProblem {
     /// A point of space where points of the plane are needed.
     #[error(transparent)]
     OffPlane(#[from] OffPlane),
+    /// A facet of a piecewise linear complex where triangles are needed.
+    #[error(transparent)]
+    NoTriangle(#[from] NoTriangle),
 }
 
 /// Why a file could not be written; a file of that name is then as it was before. Prints as `file: problem`, on one line.
@@ -213,6 +217,9 @@ pub enum WriteProblem {
     /// The blocks contradict each other.
     #[error(transparent)]
     Blocks(#[from] BlocksDefect),
+    /// The complex contradicts itself.
+    #[error(transparent)]
+    Complex(#[from] ComplexDefect),
 }
 
 impl ReadError {

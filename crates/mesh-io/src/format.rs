@@ -8,8 +8,12 @@ use std::path::Path;
 pub enum Format {
     /// VTK XML unstructured grid, `.vtu`.
     Vtu,
-    /// Gmsh MSH 4.1, `.msh`.
+    /// Legacy VTK, `.vtk`.
+    Vtk,
+    /// Gmsh MSH, `.msh`.
     Msh,
+    /// Medit in ASCII, `.mesh`.
+    Medit,
     /// Plot3D multi-block in ASCII, `.p3d`.
     Plot3dAscii,
     /// Plot3D multi-block in binary, `.p3b`.
@@ -20,8 +24,10 @@ pub enum Format {
     TriangleNode,
     /// Triangles of Triangle, `.ele`, with their points in a `.node` beside it.
     TriangleEle,
-    /// Planar straight-line graph of Triangle, `.poly`.
+    /// Planar straight-line graph of Triangle, or piecewise linear complex of `TetGen`, `.poly`.
     TrianglePoly,
+    /// Piecewise linear complex of `TetGen` whose facets are polygons, `.smesh`.
+    TetgenSmesh,
     /// Object File Format, `.off`.
     Off,
     /// Scalable Vector Graphics, `.svg`.
@@ -44,7 +50,7 @@ pub enum Format {
 
 impl Format {
     /// Every name that [`Format::from_path`] knows, for messages.
-    pub const EXTENSIONS: &'static str = ".vtu .msh .p3d .p3b blockMeshDict .node .ele .poly .off .svg .xy .xyz .f64 .ply .stl .obj .geojson .json";
+    pub const EXTENSIONS: &'static str = ".vtu .vtk .msh .mesh .p3d .p3b blockMeshDict .node .ele .poly .smesh .off .svg .xy .xyz .f64 .ply .stl .obj .geojson .json";
 
     /// The format that a path names by its file name or extension (in any case); `None` when it names none.
     #[must_use]
@@ -52,13 +58,16 @@ impl Format {
         let extension = path.extension().or_else(|| path.file_name())?.to_str()?;
         Some(match extension.to_ascii_lowercase().as_str() {
             "vtu" => Self::Vtu,
+            "vtk" => Self::Vtk,
             "msh" => Self::Msh,
+            "mesh" => Self::Medit,
             "p3d" => Self::Plot3dAscii,
             "p3b" => Self::Plot3dBinary,
             "blockmeshdict" => Self::BlockMeshDict,
             "node" => Self::TriangleNode,
             "ele" => Self::TriangleEle,
             "poly" => Self::TrianglePoly,
+            "smesh" => Self::TetgenSmesh,
             "off" => Self::Off,
             "svg" => Self::Svg,
             "xy" => Self::Xy,
@@ -86,13 +95,16 @@ impl fmt::Display for Format {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         out.write_str(match self {
             Self::Vtu => "VTU",
+            Self::Vtk => "VTK",
             Self::Msh => "MSH",
+            Self::Medit => "Medit",
             Self::Plot3dAscii => "Plot3D ASCII",
             Self::Plot3dBinary => "Plot3D binary",
             Self::BlockMeshDict => "blockMeshDict",
             Self::TriangleNode => "Triangle .node",
             Self::TriangleEle => "Triangle .ele",
             Self::TrianglePoly => "Triangle .poly",
+            Self::TetgenSmesh => "TetGen .smesh",
             Self::Off => "OFF",
             Self::Svg => "SVG",
             Self::Xy => "xy text",

@@ -19,17 +19,21 @@
 //! | name of the file | [`Format`] | reads | writes | keeps |
 //! |---|---|---|---|---|
 //! | `.vtu` | [`vtu`] | mesh | mesh | everything |
+//! | `.vtk` | [`vtk`] | mesh | mesh, in ASCII | everything |
 //! | `.msh` | [`msh`] | mesh | mesh | everything, markers of cells as physical groups |
+//! | `.mesh` | [`medit`] | mesh | all cells but vertices | points, cells kind by kind, markers |
 //! | `.p3d`, `.p3b` | [`plot3d`] | blocks | blocks | names and connections in a [`connectivity_map`] beside it |
 //! | `blockMeshDict` | [`block_mesh_dict`] | | blocks | what `blockMesh` needs to make them anew |
 //! | `.node`, `.ele` | [`triangle`] | mesh | triangles or tetrahedra | markers, and data without names |
 //! | `.poly` | [`triangle`] | planar graph | planar graph | everything but names of data |
+//! | `.poly` in space | [`tetgen`] | piecewise complex; mesh, if of triangles | piecewise complex | everything but names of data |
+//! | `.smesh` | [`tetgen`] | piecewise complex; mesh, if of triangles | | everything but names of data |
 //! | `.off` | [`off`] | mesh, planar graph | cells without volume | points and cells; of a planar graph the outline of the faces |
 //! | `.xy`, `.xyz` | [`xy`] | points | points | points; weights are read |
 //! | `.2d.f64`, `.3d.f64` | [`raw`] | points | points | points and weights |
-//! | `.ply` | [`ply`] | mesh, points | | points and faces; weights are read |
-//! | `.stl` | [`stl`] | triangles | | points, merged by place, and triangles |
-//! | `.obj` | [`obj`] | mesh | | points and faces |
+//! | `.ply` | [`ply`] | mesh, points | triangles, quads, segments | points and cells, segments behind faces; weights are read |
+//! | `.stl` | [`stl`] | triangles | triangles, in binary | points rounded to 4 bytes and merged by place, and triangles |
+//! | `.obj` | [`obj`] | mesh | triangles, quads, segments | points and cells |
 //! | `.svg` | [`svg_outline`] | planar graph | | outlines of shapes, curves as chords |
 //! | `.geojson`, `.json` | [`geojson`] | planar graph | | rings and lines, points merged by place; `marker` of features |
 //! | `DOMAIN.toml` | [`circles_toml`] | circles | circles | everything |
@@ -57,6 +61,7 @@ mod error;
 mod format;
 pub mod geojson;
 mod lines;
+pub mod medit;
 mod mesh;
 pub mod msh;
 mod numbers;
@@ -64,6 +69,7 @@ pub mod obj;
 pub mod off;
 mod outline;
 mod outputs;
+mod piecewise_complex;
 mod planar_graph;
 pub mod plot3d;
 pub mod ply;
@@ -75,7 +81,9 @@ mod read_points;
 pub mod stl;
 pub mod svg;
 pub mod svg_outline;
+pub mod tetgen;
 pub mod triangle;
+pub mod vtk;
 pub mod vtu;
 mod write;
 mod write_as;
@@ -90,9 +98,12 @@ pub use format::Format;
 pub use mesh::{Axis, DataArray, Mesh, MeshDefect};
 pub use numbers::Encoding;
 pub use outputs::{Outputs, companion};
+pub use piecewise_complex::{ComplexDefect, Facet, NoTriangle, PiecewiseComplex, SolidRegion};
 pub use planar_graph::{PlanarGraph, Region};
 pub use points::{Coordinates, Dimension, OffPlane, Points, PointsWanted};
 pub use polytopes::Polytopes;
-pub use read::{read_blocks, read_circles, read_mesh, read_planar_graph};
+pub use read::{read_blocks, read_circles, read_mesh, read_piecewise_complex, read_planar_graph};
 pub use read_points::read_points;
-pub use write::{write_blocks, write_circles, write_mesh, write_planar_graph};
+pub use write::{
+    write_blocks, write_circles, write_mesh, write_piecewise_complex, write_planar_graph,
+};

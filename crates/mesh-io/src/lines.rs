@@ -59,6 +59,12 @@ impl<'a> Lines<'a> {
         None
     }
 
+    /// Whether nothing but blanks and comments follows.
+    pub(crate) fn is_at_end(&self) -> bool {
+        let mut ahead = Self { ..*self };
+        ahead.next().is_none()
+    }
+
     /// The next line, which should hold what is expected.
     pub(crate) fn due(&mut self, expected: Arguments<'_>) -> Result<Line<'a>, ReadError> {
         let line = self.next();
@@ -108,6 +114,16 @@ impl<'a> Line<'a> {
     /// The next word, if any.
     pub(crate) fn word(&mut self) -> Option<&'a str> {
         self.words.next()
+    }
+
+    /// Whether no word is left.
+    pub(crate) fn is_done(&self) -> bool {
+        self.words.0.trim_ascii_start().is_empty()
+    }
+
+    /// The next word, which stays the next.
+    pub(crate) fn first_word(&self) -> Option<&'a str> {
+        Words(self.words.0).next()
     }
 
     /// The next word as a number (for a double: also infinite or NaN).

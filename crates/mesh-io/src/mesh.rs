@@ -132,7 +132,7 @@ impl Mesh {
     /// # Errors
     /// The first contradiction.
     pub fn check(&self) -> Result<(), MeshDefect> {
-        self.check_points()?;
+        check_points(&self.points)?;
         self.check_corners()?;
         check_markers(
             "point markers",
@@ -146,13 +146,6 @@ impl Mesh {
         )?;
         check_data("point data", &self.point_data, self.points.len())?;
         check_data("cell data", &self.cell_data, self.cells.len())
-    }
-
-    fn check_points(&self) -> Result<(), MeshDefect> {
-        if u32::try_from(self.points.len()).is_err() {
-            return Err(MeshDefect::TooManyPoints(self.points.len()));
-        }
-        check_finite(&self.points)
     }
 
     fn check_corners(&self) -> Result<(), MeshDefect> {
@@ -173,6 +166,14 @@ impl Mesh {
     }
 }
 
+/// Whether indices of 32 bits can name all points, and all are finite.
+pub(crate) fn check_points(points: &[[f64; 3]]) -> Result<(), MeshDefect> {
+    if u32::try_from(points.len()).is_err() {
+        return Err(MeshDefect::TooManyPoints(points.len()));
+    }
+    check_finite(points)
+}
+
 pub(crate) fn check_finite(points: &[[f64; 3]]) -> Result<(), MeshDefect> {
     for (point, coordinates) in points.iter().enumerate() {
         if let Some((axis, value)) = first_not_finite(coordinates) {
@@ -182,7 +183,11 @@ pub(crate) fn check_finite(points: &[[f64; 3]]) -> Result<(), MeshDefect> {
     Ok(())
 }
 
-fn check_markers(what: &str, markers: Option<&[i32]>, expected: usize) -> Result<(), MeshDefect> {
+pub(crate) fn check_markers(
+    what: &str,
+    markers: Option<&[i32]>,
+    expected: usize,
+) -> Result<(), MeshDefect> {
     markers.map_or(Ok(()), |markers| {
         check_length(what, markers.len(), Some(expected), expected)
     })

@@ -2,6 +2,8 @@
 
 use std::fmt::Arguments;
 
+use memchr::memchr;
+
 use crate::error::{Place, ReadError, ReadProblem};
 
 /// How the numbers of a file are written down.
@@ -9,7 +11,7 @@ use crate::error::{Place, ReadError, ReadProblem};
 pub enum Encoding {
     /// Decimal, between blanks.
     Ascii,
-    /// Little-endian: integers of 4 bytes, sizes of 8, IEEE 754 doubles.
+    /// Little-endian, IEEE 754; of what width is up to the format.
     Binary,
 }
 
@@ -92,6 +94,14 @@ impl<'a> Numbers<'a> {
         }
     }
 
+    /// A 64-bit integer.
+    pub(crate) fn long(&mut self, expected: Arguments<'_>) -> Result<i64, ReadError> {
+        match self.encoding {
+            Encoding::Ascii => self.word_as(expected, |word| i64::try_from(integer(word)?).ok()),
+            Encoding::Binary => self.array(expected).map(i64::from_le_bytes),
+        }
+    }
+
     /// A double, perhaps infinite or NaN.
     pub(crate) fn real(&mut self, expected: Arguments<'_>) -> Result<f64, ReadError> {
         match self.encoding {
@@ -112,6 +122,24 @@ impl<'a> Numbers<'a> {
             .unwrap_or(rest.len());
         self.at += length;
         rest.get(..length).filter(|word| !word.is_empty())
+    }
+
+    /// Passes over the rest of a line, so that binary numbers can follow.
+    pub(crate) fn end_line(&mut self) {
+        let rest = self.rest();
+        let length = memchr(b'\n', rest).map_or(rest.len(), |length| length + 1);
+        self.skip(length);
+    }
+
+    /// The rest of a line, without blanks at its ends; `None` at the end of the file.
+    pub(crate) fn line(&mut self) -> Option<&'a [u8]> {
+        let rest = self.rest();
+        if rest.is_empty() {
+            return None;
+        }
+        self.end_line();
+        let length = rest.len() - self.rest().len();
+        rest.get(..length).map(<[u8]>::trim_ascii)
     }
 
     /// Passes over blanks and ends of lines.

@@ -12,11 +12,12 @@ use crate::error::{ReadError, ReadProblem};
 use crate::format::Format;
 use crate::mesh::Mesh;
 use crate::numbers::Encoding;
+use crate::piecewise_complex::PiecewiseComplex;
 use crate::planar_graph::PlanarGraph;
 use crate::points::Coordinates;
 use crate::{
-    circles_toml, connectivity_map, geojson, msh, obj, off, plot3d, ply, stl, svg_outline,
-    triangle, vtu, xy,
+    circles_toml, connectivity_map, geojson, medit, msh, obj, off, plot3d, ply, stl, svg_outline,
+    tetgen, triangle, vtk, vtu, xy,
 };
 
 /// Bytes read at most from a device or a pipe, which may never end.
@@ -25,7 +26,7 @@ const LONGEST_STREAM: u64 = 1 << 30;
 /// The mesh in a file of any format that holds one.
 ///
 /// Points alone (`.xy`, `.xyz`, `.node`) make a mesh without cells; a `.poly` or a `.geojson` makes one of segments; structured blocks make one of
-/// quads. An `.ele` needs the `.node` beside it. Raw numbers are read as points only, see [`read_points`](crate::read_points).
+/// quads; a `.smesh` or a `.poly` of space makes one of triangles, if all its facets are. An `.ele` needs the `.node` beside it. Raw numbers are read as points only, see [`read_points`](crate::read_points).
 ///
 /// # Errors
 /// A [`ReadError`] that names the file, and the line and element where one is to blame. O(file).
@@ -43,11 +44,17 @@ pub(crate) fn mesh_of(path: &Path, format: Format, bytes: &[u8]) -> Result<Mesh,
         Format::Stl => stl::parse(bytes),
         Format::Obj => obj::parse(bytes),
         Format::Msh => msh::parse(bytes).map(|file| file.mesh),
+        Format::Medit => medit::parse(bytes),
         Format::TriangleNode => triangle::parse_node(bytes).map(Mesh::from),
         Format::TriangleEle => triangle::parse_ele(bytes, nodes_beside(path)?),
+        Format::TetgenSmesh => Ok(complex_of(path, format, bytes)?.into_mesh()?),
+        Format::TrianglePoly if tetgen::is_of_space(bytes) => {
+            Ok(complex_of(path, format, bytes)?.into_mesh()?)
+        }
         Format::TrianglePoly => Ok(triangle::parse_poly(bytes, || nodes_beside(path))?.as_mesh()),
         Format::GeoJson => Ok(geojson::parse(bytes)?.as_mesh()),
         Format::Vtu => vtu::parse(bytes),
+        Format::Vtk => vtk::parse(bytes),
         Format::Plot3dAscii | Format::Plot3dBinary => {
             Ok(blocks_of(path, format, bytes)?.to_mesh()?)
         }
@@ -93,6 +100,22 @@ pub fn read_planar_graph(path: &Path) -> Result<PlanarGraph, ReadError> {
         Format::Off => off::parse_outline(bytes),
         _ => Err(unsupported(format, "a planar graph")),
     })
+}
+
+/// The piecewise linear complex in a `.smesh` or in a `.poly` of space, with its points from the `.node` beside it when the file has none.
+///
+/// # Errors
+/// A [`ReadError`] that names the file, and the line and element where one is to blame. O(file).
+pub fn read_piecewise_complex(path: &Path) -> Result<PiecewiseComplex, ReadError> {
+    named(path, |format, bytes| complex_of(path, format, bytes))
+}
+
+fn complex_of(path: &Path, format: Format, bytes: &[u8]) -> Result<PiecewiseComplex, ReadError> {
+    match format {
+        Format::TrianglePoly => tetgen::parse_poly(bytes, || nodes_beside(path)),
+        Format::TetgenSmesh => tetgen::parse_smesh(bytes, || nodes_beside(path)),
+        _ => Err(unsupported(format, "a piecewise linear complex")),
+    }
 }
 
 fn blocks_of(path: &Path, format: Format, bytes: &[u8]) -> Result<StructuredBlocks, ReadError> {

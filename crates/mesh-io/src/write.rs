@@ -9,9 +9,10 @@ use crate::error::WriteError;
 use crate::format::Format;
 use crate::mesh::Mesh;
 use crate::outputs::Outputs;
+use crate::piecewise_complex::PiecewiseComplex;
 use crate::planar_graph::PlanarGraph;
 use crate::write_as::{format_of, unsupported};
-use crate::{circles_toml, triangle};
+use crate::{circles_toml, tetgen, triangle};
 
 /// Writes a mesh, as a whole or not at all. Cells are never left out; markers and data are where a format has no place for them.
 ///
@@ -56,6 +57,17 @@ pub fn write_planar_graph(path: &Path, graph: &PlanarGraph) -> Result<(), WriteE
     match format_of(path)? {
         Format::TrianglePoly => write_atomically(path, |out| triangle::write_poly(out, graph)),
         format => Err(unsupported(format, "a planar graph").in_file(path)),
+    }
+}
+
+/// Writes a piecewise linear complex as a `.poly` of space, as a whole or not at all.
+///
+/// # Errors
+/// A [`WriteError`] that names the file: the path names another format, the complex contradicts itself, the operating system refuses.
+pub fn write_piecewise_complex(path: &Path, complex: &PiecewiseComplex) -> Result<(), WriteError> {
+    match format_of(path)? {
+        Format::TrianglePoly => write_atomically(path, |out| tetgen::write_poly(out, complex)),
+        format => Err(unsupported(format, "a piecewise linear complex").in_file(path)),
     }
 }
 

@@ -9,7 +9,7 @@ use crate::format::Format;
 use crate::mesh::Mesh;
 use crate::numbers::Encoding;
 use crate::planar_graph::PlanarGraph;
-use crate::{msh, off, triangle, vtu, xy};
+use crate::{medit, msh, obj, off, ply, stl, triangle, vtk, vtu, xy};
 
 /// Writes one file of a mesh.
 pub(crate) fn write_as(
@@ -21,8 +21,13 @@ pub(crate) fn write_as(
         Format::Xy | Format::Xyz => xy::write(out, format, mesh),
         Format::Off => off::write(out, mesh),
         Format::Msh => msh::write(out, mesh, &[], Encoding::Ascii),
+        Format::Medit => medit::write(out, mesh),
         Format::TrianglePoly => triangle::write_poly(out, &graph_of(mesh)?),
         Format::Vtu => vtu::write(out, mesh),
+        Format::Vtk => vtk::write(out, mesh),
+        Format::Ply => ply::write(out, mesh, Encoding::Binary),
+        Format::Stl => stl::write(out, mesh, Encoding::Binary),
+        Format::Obj => obj::write(out, mesh),
         _ => Err(unsupported(format, "a mesh")),
     }
 }

@@ -48,7 +48,11 @@ fn every_mesh_format_keeps_the_bits_of_coordinates() {
     for (name, mesh) in [
         ("a.vtu", &triangles),
         ("a.msh", &triangles),
+        ("a.vtk", &triangles),
+        ("a.mesh", &triangles),
         ("a.off", &triangles),
+        ("a.ply", &triangles),
+        ("a.obj", &triangles),
         ("a.ele", &triangles),
         ("b.node", &alone),
         ("b.xyz", &alone),
@@ -99,8 +103,11 @@ fn lines_may_end_as_on_other_systems_and_start_with_a_mark_of_byte_order() {
     for (name, mark) in [
         ("a.vtu", MARK),
         ("a.off", MARK),
+        ("a.obj", MARK),
+        ("a.mesh", MARK),
         ("a.ele", MARK),
         ("a.msh", ""),
+        ("a.vtk", ""),
     ] {
         let path = folder.path().join(name);
         write_mesh(&path, &mesh).unwrap();

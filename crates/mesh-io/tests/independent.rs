@@ -37,6 +37,7 @@ fn other_programs_read_what_is_written() {
         expected.push(description_of_blocks(file, &blocks));
     }
     write_binary_msh(folder.path(), &mut expected);
+    write_other_spellings(folder.path(), &mut expected);
     let list = Value::Array(expected).to_string();
     std::fs::write(folder.path().join("expected.json"), list).unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/independent/read_back.py");
@@ -85,7 +86,14 @@ fn meshes() -> Vec<(&'static str, Mesh, &'static [&'static str])> {
     vec![
         ("mixed.vtu", mesh(&cube_points(), &every_kind()), &[]),
         ("mixed.msh", mesh(&cube_points(), &every_kind()), &[]),
+        ("mixed.vtk", mesh(&cube_points(), &every_kind()), &[]),
+        // In order of dimension and kind, as the file has them.
+        ("ordered.mesh", mesh(&cube_points(), &medit_kinds()), &[]),
+        ("triangles.mesh", planar(&triangles), &[]),
         ("triangles.off", planar(&triangles), &[]),
+        ("triangles.ply", planar(&triangles), &[]),
+        ("triangles.obj", planar(&triangles), &[]),
+        ("triangles.stl", mesh(&corners_apart(), &APART), &[]),
         // The reader of meshio is for the files of TetGen, in space.
         ("triangles.ele", planar(&triangles), &["with_meshio"]),
         ("tetrahedra.vtu", mesh(&cube_points(), &tetrahedra), &[]),
@@ -121,6 +129,30 @@ fn write_binary_msh(folder: &Path, expected: &mut Vec<Value>) {
     let mut file = std::fs::File::create(folder.join("binary.msh")).unwrap();
     mesh_io::msh::write(&mut file, &mesh, &[], mesh_io::Encoding::Binary).unwrap();
     expected.push(description("binary.msh", &mesh, &[]));
+}
+
+/// What [`write_mesh`] does not choose: MSH 2.2, and STL and PLY in text.
+fn write_other_spellings(folder: &Path, expected: &mut Vec<Value>) {
+    let mixed = mesh(&cube_points(), &every_kind());
+    // Of several kinds of cells the reader of meshio takes no data, and no kind twice.
+    let mut ordered = mesh(&cube_points(), &medit_kinds());
+    ordered.cell_data.clear();
+    let versions: [(_, _, &[_]); 2] = [
+        ("version2.msh", mixed, &["with_meshio"]),
+        ("ordered2.msh", ordered, &[]),
+    ];
+    for (name, mesh, without) in versions {
+        let mut file = std::fs::File::create(folder.join(name)).unwrap();
+        mesh_io::msh::write_v2(&mut file, &mesh, &[]).unwrap();
+        expected.push(description(name, &mesh, without));
+    }
+    let apart = mesh(&corners_apart(), &APART);
+    let mut file = std::fs::File::create(folder.join("text.stl")).unwrap();
+    mesh_io::stl::write(&mut file, &apart, mesh_io::Encoding::Ascii).unwrap();
+    expected.push(description("text.stl", &apart, &[]));
+    let mut file = std::fs::File::create(folder.join("text.ply")).unwrap();
+    mesh_io::ply::write(&mut file, &apart, mesh_io::Encoding::Ascii).unwrap();
+    expected.push(description("text.ply", &apart, &[]));
 }
 
 fn description(file: &str, mesh: &Mesh, without: &[&str]) -> Value {
@@ -166,6 +198,26 @@ fn cube_points() -> Vec<[f64; 3]> {
         [index & 1, index >> 1 & 1, index >> 2].map(|bit| f64::from(bit) * 0.1 + 1.0 / 3.0)
     };
     (0..8).map(corner).collect()
+}
+
+/// Corners of two triangles, in floats and none of them shared, so that no reader numbers them anew.
+fn corners_apart() -> Vec<[f64; 3]> {
+    let corner = |k: i32| [0.5 * f64::from(k), f64::from(k * k), f64::from(k % 2)];
+    (0..6).map(corner).collect()
+}
+
+const APART: [Cell; 2] = [Cell::Triangle([0, 1, 2]), Cell::Triangle([3, 4, 5])];
+
+/// The kinds that every reader of Medit knows, in the order of a file.
+fn medit_kinds() -> Vec<Cell> {
+    vec![
+        Cell::Segment([0, 1]),
+        Cell::Triangle([0, 1, 3]),
+        Cell::Triangle([0, 3, 2]),
+        Cell::Quad([0, 1, 3, 2]),
+        Cell::Tetrahedron([0, 1, 2, 4]),
+        Cell::Hexahedron([0, 1, 3, 2, 4, 5, 7, 6]),
+    ]
 }
 
 /// One cell of each kind, and a second triangle out of order.

@@ -4,7 +4,7 @@
 
 mod spoiled;
 
-use mesh_io::msh::{MshFile, PhysicalName, parse, write};
+use mesh_io::msh::{MshFile, PhysicalName, parse, write, write_v2};
 use mesh_io::{Cell, CellKind, Cells, DataArray, Encoding, Mesh};
 use proptest::prelude::*;
 use spoiled::{spoiled, spoils};
@@ -79,6 +79,26 @@ proptest! {
     }
 
     #[test]
+    fn every_mesh_comes_back_from_version_2(mesh in meshes(), spoils in spoils()) {
+        let names = [PhysicalName { dimension: 2, marker: 3, name: "the fluid".into() }];
+        let mut file = Vec::new();
+        write_v2(&mut file, &mesh, &names).unwrap();
+        let mut kept = mesh.clone();
+        kept.cell_markers = kept.cell_markers.filter(|markers| markers.iter().any(|&marker| marker != 0));
+        prop_assert_eq!(&parse(&file).unwrap(), &MshFile { mesh: kept.clone(), names: names.to_vec() });
+        let binary = binary_v2(&mesh);
+        kept.point_markers = None;
+        kept.point_data = Vec::new();
+        kept.cell_data = Vec::new();
+        prop_assert_eq!(&parse(&binary).unwrap().mesh, &kept);
+        for file in [file, binary] {
+            if let Ok(MshFile { mesh, .. }) = parse(&spoiled(&file, &spoils)) {
+                prop_assert_eq!(mesh.check(), Ok(()));
+            }
+        }
+    }
+
+    #[test]
     fn spoiled_files_never_panic(mesh in meshes(), spoils in spoils()) {
         for encoding in [Encoding::Ascii, Encoding::Binary] {
             if let Ok(MshFile { mesh, .. }) = parse(&spoiled(&written(&mesh, &[], encoding), &spoils)) {
@@ -97,6 +117,48 @@ proptest! {
             prop_assert!(parse(&file).is_err());
         }
     }
+}
+
+/// Points, cells and markers in version 2.2 in binary, as its manual describes it, a block for every run of one kind.
+fn binary_v2(mesh: &Mesh) -> Vec<u8> {
+    let mut file = b"$MeshFormat\n2.2 1 8\n\x01\0\0\0\n$EndMeshFormat\n".to_vec();
+    file.extend(format!("$Nodes\n{}\n", mesh.points.len()).bytes());
+    for (tag, point) in (1..).zip(&mesh.points) {
+        file.extend(i32::to_le_bytes(tag));
+        file.extend(point.iter().flat_map(|coordinate| coordinate.to_le_bytes()));
+    }
+    file.extend(format!("\n$EndNodes\n$Elements\n{}\n", mesh.cells.len()).bytes());
+    let cells: Vec<Cell> = mesh.cells.iter().collect();
+    let mut tag = 0;
+    for run in cells.chunk_by(|a, b| a.kind() == b.kind()) {
+        let gmsh_type = match run[0].kind() {
+            CellKind::Segment => 1,
+            CellKind::Triangle => 2,
+            CellKind::Quad => 3,
+            CellKind::Tetrahedron => 4,
+            CellKind::Hexahedron => 5,
+            CellKind::Wedge => 6,
+            CellKind::Pyramid => 7,
+            CellKind::Vertex => 15,
+        };
+        file.extend(
+            [gmsh_type, run.len() as i32, 2]
+                .map(i32::to_le_bytes)
+                .as_flattened(),
+        );
+        for cell in run {
+            let marker = mesh
+                .cell_markers
+                .as_ref()
+                .map_or(0, |markers| markers[tag as usize]);
+            tag += 1;
+            file.extend([tag, marker, 1].map(i32::to_le_bytes).as_flattened());
+            let corners = cell.corners().iter();
+            file.extend(corners.flat_map(|&corner| (corner as i32 + 1).to_le_bytes()));
+        }
+    }
+    file.extend(b"\n$EndElements\n");
+    file
 }
 
 fn quads() -> Mesh {
@@ -214,6 +276,58 @@ fn what_msh_cannot_hold_is_refused() {
     let components = refused(&mesh, "");
     mesh.points[2][1] = f64::INFINITY;
     insta::assert_snapshot!([name, components, refused(&mesh, "")].join("\n"));
+}
+
+#[test]
+fn version_2_is_written_as_its_manual_says_and_refused_in_binary_with_the_byte() {
+    let mut file = Vec::new();
+    write_v2(&mut file, &quads(), &[]).unwrap();
+    insta::assert_snapshot!(String::from_utf8(file).unwrap(), @r"
+    $MeshFormat
+    2.2 0 8
+    $EndMeshFormat
+    $Nodes
+    5
+    1 0.0 0.0 0.0
+    2 1.0 0.0 0.0
+    3 1.0 1.0 0.0
+    4 0.0 1.0 0.0
+    5 2.0 0.0 0.0
+    $EndNodes
+    $Elements
+    3
+    1 3 2 9 3 1 2 3 4
+    2 1 2 7 1 1 2
+    3 2 2 0 2 2 5 3
+    $EndElements
+    ");
+    let file = binary_v2(&quads());
+    let error = |at: usize, bytes: [u8; 4]| {
+        let mut file = file.clone();
+        file[at..at + 4].copy_from_slice(&bytes);
+        parse(&file).unwrap_err().to_string()
+    };
+    let elements = file
+        .windows(9)
+        .position(|window| window == b"$Elements")
+        .unwrap()
+        + 12;
+    let errors = [
+        error(elements, [9, 0, 0, 0]),
+        error(elements + 4, [4, 0, 0, 0]),
+        error(elements + 4, [0, 0, 0, 0]),
+        error(elements + 4, [0xff; 4]),
+        error(elements + 8, [0xff, 0xff, 0xff, 0x7f]),
+        error(elements + 24, [6, 0, 0, 0]),
+    ];
+    insta::assert_snapshot!(errors.join("\n"), @r"
+    byte 212: MSH element type 9 is not supported
+    byte 216: expected 1 to 3 elements in the block of element 0, found 4
+    byte 216: expected 1 to 3 elements in the block of element 0, found 0
+    byte 216: expected how many elements follow 0, found -1
+    byte 332: the file ends where tag 26 of element 0 should follow
+    byte 236: element 0: there is no node 6
+    ");
 }
 
 /// A reader that indexes the elements anew for every section would need minutes here.

@@ -41,8 +41,10 @@ proptest! {
         let file = file(|out| off::write(out, &mesh));
         let kept = Mesh::new(mesh.points, mesh.cells);
         prop_assert_eq!(bits(&off::parse(&file).unwrap()), bits(&kept));
-        if let Ok(mesh) = off::parse(&spoiled(&file, &spoils)) {
-            prop_assert_eq!(mesh.check(), Ok(()));
+        let coloured = [b"C", &file[..]].concat();
+        prop_assert_eq!(bits(&off::parse(&coloured).unwrap()), bits(&kept));
+        for file in [file, coloured] {
+            prop_assert_eq!(off::parse(&spoiled(&file, &spoils)).unwrap_or_default().check(), Ok(()));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::POINT_MARKERS;
 use super::parts::Parts;
-use super::section::{decimal, end_line, end_section, quoted_text};
+use super::section::{decimal, end_section, quoted_text};
 use super::tag_index::TagIndex;
 use crate::error::{ReadError, ReadProblem};
 use crate::mesh::{DataArray, Mesh};
@@ -110,7 +110,7 @@ impl Head {
             return Err(file.problem(start, problem));
         }
         if file.encoding == Encoding::Binary {
-            end_line(file);
+            file.end_line();
         }
         Ok(Self {
             name,

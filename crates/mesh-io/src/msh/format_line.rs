@@ -1,6 +1,6 @@
 //! `$MeshFormat`: version, encoding and the width of sizes.
 
-use super::section::{decimal, end_line, end_section, next_section};
+use super::section::{decimal, end_section, next_section};
 use crate::error::{ReadError, ReadProblem};
 use crate::numbers::{Encoding, Numbers, quoted};
 
@@ -39,13 +39,13 @@ pub(super) fn read_format(file: &mut Numbers<'_>) -> Result<Version, ReadError> 
     let version = match (number, binary, width) {
         (4.1, 0 | 1, 8) => Version::V41,
         (4.1, 0 | 1, _) => return unsupported(format!("an MSH file with sizes of {width} bytes")),
-        (2.0..3.0, 0, _) => Version::V2,
-        (2.0..3.0, 1, _) => return unsupported("MSH version 2 in binary".into()),
+        (2.0..3.0, 0, _) | (2.0..3.0, 1, 8) => Version::V2,
+        (2.0..3.0, 1, _) => return unsupported(format!("an MSH file with reals of {width} bytes")),
         (_, 0 | 1, _) => return unsupported(format!("MSH version {number}")),
         _ => return unsupported(format!("MSH file type {binary}")),
     };
     if binary == 1 {
-        end_line(file);
+        file.end_line();
         file.encoding = Encoding::Binary;
         check_byte_order(file)?;
     }

@@ -1,5 +1,7 @@
 //! A mesh while its file is read.
 
+use std::fmt::Arguments;
+
 use super::entities::PhysicalTags;
 use super::nodes::Nodes;
 use super::tag_index::TagIndex;
@@ -31,13 +33,14 @@ impl Parts {
         Ok(())
     }
 
-    /// Reads the corners of a cell and appends it.
-    pub(super) fn read_cell(
+    /// Reads the corners of a cell, each by `read_tag`, and appends it.
+    pub(super) fn read_cell<'f>(
         &mut self,
-        file: &mut Numbers<'_>,
+        file: &mut Numbers<'f>,
         kind: CellKind,
         tag: u64,
         marker: Option<i32>,
+        read_tag: fn(&mut Numbers<'f>, Arguments<'_>) -> Result<u64, ReadError>,
     ) -> Result<(), ReadError> {
         let index = self.cell_tags.len();
         let Some(nodes) = &self.nodes else {
@@ -51,7 +54,7 @@ impl Parts {
         for (k, corner) in corners.iter_mut().enumerate().take(kind.corner_count()) {
             file.skip_blanks_in_text();
             let start = file.at();
-            let node = file.size(format_args!("corner {k} of element {index}"))?;
+            let node = read_tag(file, format_args!("corner {k} of element {index}"))?;
             *corner = nodes
                 .position(node)
                 .ok_or_else(|| no_such_node(file, start, index, node))?;

@@ -10,7 +10,7 @@ use super::{MshFile, PhysicalName, read_v2, read_v41};
 use crate::error::{ReadError, ReadProblem};
 use crate::numbers::{Encoding, Numbers};
 
-/// The mesh and the physical names of an MSH file: version 4.1 in ASCII or binary, or 2 in ASCII.
+/// The mesh and the physical names of an MSH file: version 4.1 or 2, in ASCII or binary.
 ///
 /// Linear in the size of the file when tags grow, otherwise O(n log n).
 ///

@@ -43,7 +43,7 @@ fn read_block(file: &mut Numbers<'_>, parts: &mut Parts, block: u64) -> Result<(
     for _ in 0..count {
         let index = parts.cell_tags.len();
         let tag = file.size(format_args!("the tag of element {index}"))?;
-        parts.read_cell(file, kind, tag, marker)?;
+        parts.read_cell(file, kind, tag, marker, Numbers::size)?;
     }
     Ok(())
 }

@@ -10,7 +10,7 @@ pub(super) fn next_section<'a>(file: &mut Numbers<'a>) -> Result<Option<&'a [u8]
     };
     match word.strip_prefix(b"$") {
         Some(name) if !name.starts_with(b"End") => {
-            end_line(file);
+            file.end_line();
             Ok(Some(name))
         }
         _ => {
@@ -59,26 +59,6 @@ pub(super) fn skip_section(file: &mut Numbers<'_>, name: &[u8]) -> Result<(), Re
     Ok(())
 }
 
-/// Passes over the rest of a line, so that binary numbers can follow.
-pub(super) fn end_line(file: &mut Numbers<'_>) {
-    let rest = file.rest();
-    file.skip(
-        rest.iter()
-            .position(|&byte| byte == b'\n')
-            .map_or(rest.len(), |length| length + 1),
-    );
-}
-
-/// The rest of a line, without blanks at its ends; `None` at the end of the file.
-pub(super) fn line<'a>(file: &mut Numbers<'a>) -> Option<&'a [u8]> {
-    let rest = file.rest();
-    if rest.is_empty() {
-        return None;
-    }
-    end_line(file);
-    Some(rest[..rest.len() - file.rest().len()].trim_ascii())
-}
-
 /// A number that is decimal in every encoding, as in `$PhysicalNames` and in the head of data.
 pub(super) fn decimal<T: std::str::FromStr>(
     file: &mut Numbers<'_>,
@@ -108,7 +88,7 @@ pub(super) fn decimal<T: std::str::FromStr>(
 pub(super) fn quoted_text(file: &mut Numbers<'_>, expected: &str) -> Result<String, ReadError> {
     file.skip_blanks();
     let start = file.at();
-    let Some(found) = line(file) else {
+    let Some(found) = file.line() else {
         return Err(file.problem(
             start,
             ReadProblem::Truncated {

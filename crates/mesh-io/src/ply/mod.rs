@@ -1,17 +1,22 @@
 //! PLY: the vertices and faces of a polygon file, from text or from binary of either byte order.
 //!
 //! Read are the properties `x` and `y` of a vertex, `z` where there is one, and `weight` where it is asked for, and the list of the
-//! corners of a face where the faces are asked for. Everything else is passed over, but
+//! corners of a face and the two ends of an edge where the faces are asked for. Everything else is passed over, but
 //! passed it must be: a file that ends early is refused even when its vertices are whole.
 //!
 //! Own code: the readers at hand hold every property of every element in a map, and believe the counts of the header.
 
 mod body;
+mod edges;
 mod faces;
 mod header;
 mod number;
+mod write;
+
+pub use write::write;
 
 use body::Body;
+use edges::edges;
 use faces::faces;
 use header::{Element, Header, Kind};
 
@@ -30,7 +35,7 @@ pub fn parse(bytes: &[u8], weighted: bool) -> Result<Points, ReadError> {
 }
 
 /// The vertices and faces of a file; faces are called `face` and have 1 to 4 corners in the list `vertex_indices` or
-/// `vertex_index`. `z` is 0 when the vertices have none.
+/// `vertex_index`; edges are called `edge`, have the ends `vertex1` and `vertex2` and become segments. `z` is 0 when the vertices have none.
 ///
 /// # Errors
 /// As [`parse`], and faces that are not as said, have more corners or name a vertex that does not exist. O(file).
@@ -38,6 +43,7 @@ pub fn parse_mesh(bytes: &[u8]) -> Result<Mesh, ReadError> {
     let mut cells = Cells::new();
     let points = parse_with(bytes, false, |body, element| match element.name.as_str() {
         "face" => faces(body, element, &mut cells),
+        "edge" => edges(body, element, &mut cells),
         _ => pass(body, element),
     })?;
     let mesh = Mesh::new(points.coordinates.into_space(), cells);

@@ -2,12 +2,13 @@
 //!
 //! All three are lines of numbers, `#` before comments. Elements are counted from 0 or from 1, as the first point says. Points may
 //! have attributes and a boundary marker, elements attributes, segments a marker. `TetGen` writes points of space and tetrahedra in
-//! the same way, which is read and written too.
+//! the same way, which is read and written too; what it makes of `.poly` stands in [`tetgen`](crate::tetgen).
 
 mod ele;
-mod node;
+pub(crate) mod node;
 mod poly;
-mod rows;
+pub(crate) mod rows;
+pub(crate) mod seeds;
 
 pub use ele::{parse_ele, write_ele};
 pub use node::{Nodes, parse_node, write_node};

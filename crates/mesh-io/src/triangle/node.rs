@@ -45,7 +45,7 @@ pub fn parse_node(bytes: &[u8]) -> Result<Nodes, ReadError> {
 }
 
 /// The points section: a header and a line for each point.
-pub(super) fn section(lines: &mut Lines<'_>) -> Result<Nodes, ReadError> {
+pub(crate) fn section(lines: &mut Lines<'_>) -> Result<Nodes, ReadError> {
     let mut header = lines.due(format_args!("the number of points"))?;
     let count = header.number(format_args!("the number of points"))?;
     let dimension = header.number(format_args!("the number of coordinates per point"))?;

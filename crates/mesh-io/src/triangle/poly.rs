@@ -4,11 +4,12 @@ use std::io::Write;
 
 use super::node::{Nodes, section};
 use super::rows::{
-    Rows, attribute_count, check_number, has_markers, point_index, write_attributes,
+    Rows, attribute_count, check_number, has_markers, point_index, write_attributes, write_marker,
 };
+use super::seeds::{RegionSeed, holes, regions};
 use crate::error::{ReadError, ReadProblem, WriteError, WriteProblem};
 use crate::format::Format;
-use crate::lines::{Line, Lines};
+use crate::lines::Lines;
 use crate::mesh::first_not_finite;
 use crate::planar_graph::{PlanarGraph, Region};
 
@@ -35,7 +36,7 @@ pub fn parse_poly(
     }
     let (segments, segment_markers) = segments(&mut lines, &nodes)?;
     let holes = holes(&mut lines)?;
-    let regions = regions(&mut lines)?;
+    let regions = regions(&mut lines, "area")?;
     lines.end()?;
     Ok(PlanarGraph {
         points: nodes.points.iter().map(|&[x, y, _]| [x, y]).collect(),
@@ -45,8 +46,16 @@ pub fn parse_poly(
         segment_markers,
         polygons: None,
         holes,
-        regions,
+        regions: regions.into_iter().map(region).collect(),
     })
+}
+
+fn region(seed: RegionSeed<2>) -> Region {
+    Region {
+        seed: seed.place,
+        attribute: seed.attribute,
+        max_area: seed.bound,
+    }
 }
 
 type Segments = (Vec<[u32; 2]>, Option<Vec<i32>>);
@@ -73,60 +82,6 @@ fn segments(lines: &mut Lines<'_>, nodes: &Nodes) -> Result<Segments, ReadError>
     }
     let (_, markers) = rows.finish();
     Ok((segments, markers))
-}
-
-fn holes(lines: &mut Lines<'_>) -> Result<Vec<[f64; 2]>, ReadError> {
-    let mut header = lines.due(format_args!("the number of holes"))?;
-    let count = header.number(format_args!("the number of holes"))?;
-    header.end(format_args!("the number of holes"))?;
-    let mut holes = Vec::with_capacity(lines.room_for(count));
-    for index in 0..count {
-        let mut line = lines.due(format_args!("hole {index} of {count}"))?;
-        skip_number(&mut line, "hole", index)?;
-        holes.push(line.coordinates("hole", index)?);
-        line.end(format_args!("hole {index}"))?;
-    }
-    Ok(holes)
-}
-
-/// The last section, which may be left out.
-fn regions(lines: &mut Lines<'_>) -> Result<Vec<Region>, ReadError> {
-    let Some(mut header) = lines.next() else {
-        return Ok(Vec::new());
-    };
-    let count = header.number(format_args!("the number of regions"))?;
-    header.end(format_args!("the number of regions"))?;
-    let mut regions = Vec::with_capacity(lines.room_for(count));
-    for index in 0..count {
-        let mut line = lines.due(format_args!("region {index} of {count}"))?;
-        skip_number(&mut line, "region", index)?;
-        let seed = line.coordinates("region", index)?;
-        let attribute = line.number(format_args!("the attribute of region {index}"))?;
-        let max_area = max_area(&mut line, index)?;
-        line.end(format_args!("region {index}"))?;
-        regions.push(Region {
-            seed,
-            attribute,
-            max_area,
-        });
-    }
-    Ok(regions)
-}
-
-fn max_area(line: &mut Line<'_>, index: usize) -> Result<Option<f64>, ReadError> {
-    let Some(word) = line.word() else {
-        return Ok(None);
-    };
-    match word.parse::<f64>() {
-        Ok(area) if area.is_finite() => Ok((area >= 0.0).then_some(area)),
-        _ => Err(line.unexpected(format_args!("the largest area of region {index}"), word)),
-    }
-}
-
-/// Holes and regions are numbered, but nothing names them, and files count them from either end.
-fn skip_number(line: &mut Line<'_>, element: &str, index: usize) -> Result<(), ReadError> {
-    let _number: i64 = line.number(format_args!("the number of {element} {index}"))?;
-    Ok(())
 }
 
 /// Writes a graph, counted from 1. Point data become attributes, whose names the format does not keep.
@@ -186,17 +141,6 @@ pub fn write_poly(out: &mut impl Write, graph: &PlanarGraph) -> Result<(), Write
         )?;
     }
     Ok(())
-}
-
-fn write_marker(
-    out: &mut impl Write,
-    markers: Option<&[i32]>,
-    index: usize,
-) -> std::io::Result<()> {
-    match markers.and_then(|markers| markers.get(index)) {
-        Some(marker) => writeln!(out, " {marker}"),
-        None => writeln!(out),
-    }
 }
 
 fn check(graph: &PlanarGraph) -> Result<(), WriteError> {

@@ -7,14 +7,14 @@ use crate::lines::Line;
 use crate::mesh::DataArray;
 
 /// Attributes and markers of the elements of one section, gathered line by line.
-pub(super) struct Rows {
+pub(crate) struct Rows {
     attributes: usize,
     values: Vec<f64>,
     markers: Option<Vec<i32>>,
 }
 
 impl Rows {
-    pub(super) fn new(attributes: usize, has_markers: bool) -> Self {
+    pub(crate) fn new(attributes: usize, has_markers: bool) -> Self {
         Self {
             attributes,
             values: Vec::new(),
@@ -23,7 +23,7 @@ impl Rows {
     }
 
     /// Reads the rest of an element's line.
-    pub(super) fn read(
+    pub(crate) fn read(
         &mut self,
         line: &mut Line<'_>,
         element: &str,
@@ -40,7 +40,7 @@ impl Rows {
     }
 
     /// One array per attribute, called `attribute 0` and so on, and the markers.
-    pub(super) fn finish(self) -> (Vec<DataArray>, Option<Vec<i32>>) {
+    pub(crate) fn finish(self) -> (Vec<DataArray>, Option<Vec<i32>>) {
         // Without rows, the number of attributes is a claim that nothing backs.
         let attributes = self.attributes.min(self.values.len());
         let array = |attribute: usize| {
@@ -58,7 +58,7 @@ impl Rows {
 }
 
 /// Refuses a count of markers other than 0 and 1.
-pub(super) fn has_markers(line: &mut Line<'_>, element: &str) -> Result<bool, ReadError> {
+pub(crate) fn has_markers(line: &mut Line<'_>, element: &str) -> Result<bool, ReadError> {
     // A header that stops before the number has no markers.
     match line.word() {
         None | Some("0") => Ok(false),
@@ -71,7 +71,7 @@ pub(super) fn has_markers(line: &mut Line<'_>, element: &str) -> Result<bool, Re
 }
 
 /// Refuses an element whose number is not the next.
-pub(super) fn check_number(
+pub(crate) fn check_number(
     line: &mut Line<'_>,
     element: &str,
     index: usize,
@@ -88,7 +88,7 @@ pub(super) fn check_number(
 }
 
 /// Reads the number of a point and answers its index.
-pub(super) fn point_index(
+pub(crate) fn point_index(
     line: &mut Line<'_>,
     (element, index): (&'static str, usize),
     end: usize,
@@ -112,12 +112,12 @@ pub(super) fn point_index(
 }
 
 /// Number of attributes that hold these arrays.
-pub(super) fn attribute_count(arrays: &[DataArray]) -> usize {
+pub(crate) fn attribute_count(arrays: &[DataArray]) -> usize {
     arrays.iter().map(|array| array.components).sum()
 }
 
 /// Writes the attributes of one element.
-pub(super) fn write_attributes(
+pub(crate) fn write_attributes(
     out: &mut impl Write,
     arrays: &[DataArray],
     row: usize,
@@ -133,4 +133,16 @@ pub(super) fn write_attributes(
         }
     }
     Ok(())
+}
+
+/// Writes the marker of one element, where there are some, and ends the line.
+pub(crate) fn write_marker(
+    out: &mut impl Write,
+    markers: Option<&[i32]>,
+    index: usize,
+) -> io::Result<()> {
+    match markers.and_then(|markers| markers.get(index)) {
+        Some(marker) => writeln!(out, " {marker}"),
+        None => writeln!(out),
+    }
 }

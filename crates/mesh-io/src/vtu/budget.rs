@@ -13,14 +13,14 @@ const PER_BYTE: u64 = 64;
 /// zlib packs up to a thousand bytes into one, and any number of arrays may lie at the same place of the appended data, so without a
 /// bound a small file could ask for any memory and time.
 #[derive(Debug)]
-pub(super) struct Budget {
+pub(crate) struct Budget {
     limit: u64,
     left: u64,
 }
 
 impl Budget {
     /// That of a file of `length` bytes.
-    pub(super) const fn of_file(length: usize) -> Self {
+    pub(crate) const fn of_file(length: usize) -> Self {
         let limit = FREE.saturating_add(PER_BYTE.saturating_mul(length as u64));
         Self { limit, left: limit }
     }
@@ -29,7 +29,7 @@ impl Budget {
     ///
     /// # Errors
     /// [`ReadProblem::TooLarge`] when there are not as many left.
-    pub(super) fn spend(&mut self, bytes: usize) -> Result<(), ReadProblem> {
+    pub(crate) fn spend(&mut self, bytes: usize) -> Result<(), ReadProblem> {
         let left = self.left.checked_sub(bytes as u64);
         self.left = left.ok_or(ReadProblem::TooLarge { limit: self.limit })?;
         Ok(())

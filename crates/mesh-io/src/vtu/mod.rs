@@ -10,10 +10,10 @@
 mod appended;
 mod array;
 mod base64_runs;
-mod budget;
-mod number;
+pub(crate) mod budget;
+pub(crate) mod number;
 mod packed;
-mod piece;
+pub(crate) mod piece;
 mod read;
 mod write;
 mod write_polytopes;
@@ -25,10 +25,10 @@ pub use write_polytopes::write_polytopes;
 use crate::cell::CellKind;
 
 /// Name of the integer arrays that hold markers.
-const MARKER: &str = "marker";
+pub(crate) const MARKER: &str = "marker";
 
 /// VTK's number of a kind of cell.
-const fn vtk_type(kind: CellKind) -> u8 {
+pub(crate) const fn vtk_type(kind: CellKind) -> u8 {
     match kind {
         CellKind::Vertex => 1,
         CellKind::Segment => 3,
@@ -42,7 +42,7 @@ const fn vtk_type(kind: CellKind) -> u8 {
 }
 
 /// Turns the triangles of a wedge round, or back: those of VTK run clockwise seen from the inside.
-fn turn_wedge(corners: &mut [u32]) {
+pub(crate) fn turn_wedge(corners: &mut [u32]) {
     corners.swap(1, 2);
     corners.swap(4, 5);
 }

@@ -6,7 +6,7 @@ use crate::lines::quoted;
 
 /// The number types of VTK.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Number {
+pub(crate) enum Number {
     I8,
     U8,
     I16,
@@ -20,7 +20,7 @@ pub(super) enum Number {
 }
 
 impl Number {
-    pub(super) fn from_name(name: &str) -> Option<Self> {
+    pub(crate) fn from_name(name: &str) -> Option<Self> {
         Some(match name {
             "Int8" => Self::I8,
             "UInt8" => Self::U8,
@@ -36,7 +36,7 @@ impl Number {
         })
     }
 
-    const fn size(self) -> usize {
+    pub(crate) const fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
             Self::I16 | Self::U16 => 2,
@@ -48,20 +48,20 @@ impl Number {
 
 /// Decoded numbers. Integers are kept apart because indices must be exact.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Numbers {
+pub(crate) enum Numbers {
     Integers(Vec<i64>),
     Reals(Vec<f64>),
 }
 
 impl Numbers {
-    pub(super) const fn len(&self) -> usize {
+    pub(crate) const fn len(&self) -> usize {
         match self {
             Self::Integers(values) => values.len(),
             Self::Reals(values) => values.len(),
         }
     }
 
-    pub(super) fn into_reals(self) -> Vec<f64> {
+    pub(crate) fn into_reals(self) -> Vec<f64> {
         match self {
             Self::Integers(values) => values.into_iter().map(|value| value as f64).collect(),
             Self::Reals(values) => values,
@@ -70,7 +70,7 @@ impl Numbers {
 }
 
 /// Numbers separated by white space.
-pub(super) fn from_text(number: Number, text: &str) -> Result<Numbers, ReadProblem> {
+pub(crate) fn from_text(number: Number, text: &str) -> Result<Numbers, ReadProblem> {
     match number {
         Number::F32 | Number::F64 => words(text).map(Numbers::Reals),
         _ => words(text).map(Numbers::Integers),
@@ -91,7 +91,7 @@ fn words<T: std::str::FromStr>(text: &str) -> Result<Vec<T>, ReadProblem> {
 ///
 /// # Errors
 /// Bytes that are no whole count of numbers, or more numbers than the budget has place for.
-pub(super) fn from_bytes(
+pub(crate) fn from_bytes(
     number: Number,
     big_endian: bool,
     bytes: &[u8],

@@ -9,30 +9,30 @@ use crate::mesh::{DataArray, Mesh};
 
 /// The element an array belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Section {
+pub(crate) enum Section {
     PointData,
     CellData,
     Points,
     Cells,
 }
 
-pub(super) struct Array {
-    pub(super) section: Section,
-    pub(super) name: String,
-    pub(super) components: usize,
-    pub(super) numbers: Numbers,
+pub(crate) struct Array {
+    pub(crate) section: Section,
+    pub(crate) name: String,
+    pub(crate) components: usize,
+    pub(crate) numbers: Numbers,
 }
 
-pub(super) struct Piece {
-    pub(super) line: usize,
-    pub(super) points: usize,
-    pub(super) cells: usize,
-    pub(super) arrays: Vec<Array>,
+pub(crate) struct Piece {
+    pub(crate) line: usize,
+    pub(crate) points: usize,
+    pub(crate) cells: usize,
+    pub(crate) arrays: Vec<Array>,
 }
 
 impl Piece {
     /// Adds points, cells, markers and data behind those of the pieces before.
-    pub(super) fn append_to(mut self, mesh: &mut Mesh) -> Result<(), ReadProblem> {
+    pub(crate) fn append_to(mut self, mesh: &mut Mesh) -> Result<(), ReadProblem> {
         let first_point = mesh.points.len();
         let first_cell = mesh.cells.len();
         self.append_points(mesh)?;
@@ -261,7 +261,7 @@ impl Joining<'_> {
     }
 }
 
-pub(super) fn unexpected(expected: &str, found: &str) -> ReadProblem {
+pub(crate) fn unexpected(expected: &str, found: &str) -> ReadProblem {
     ReadProblem::Expected {
         expected: expected.into(),
         found: quoted(found),

@@ -30,15 +30,15 @@ def with_meshio(path, expected):
     points = [[*map(float, p)] + [0.0] * (3 - len(p)) for p in mesh.points]
     cells = [[KINDS[b.type], [int(c) for c in cell]] for b in mesh.cells for cell in b.data]
     # meshio turns the wedges of VTK round, so they come out like those of Gmsh.
-    names = [n for n in ("marker", "gmsh:physical") if n in mesh.cell_data]
+    names = [n for n in ("marker", "gmsh:physical", "medit:ref") if n in mesh.cell_data]
     markers = [int(m) for block in mesh.cell_data[names[0]] for m in block] if names else None
     return points, cells, markers
 
 
 def with_vtk(path, expected):
     vtk = importlib.import_module("vtk")
-    if path.suffix == ".vtu":
-        reader = vtk.vtkXMLUnstructuredGridReader()
+    if path.suffix in (".vtu", ".vtk"):
+        reader = vtk.vtkXMLUnstructuredGridReader() if path.suffix == ".vtu" else vtk.vtkUnstructuredGridReader()
         reader.SetFileName(str(path))
         reader.Update()
         grid = reader.GetOutput()
@@ -94,7 +94,9 @@ def with_gmsh(path, expected):
             size = len(nodes) // len(elements)
             for e, element in enumerate(elements):
                 corners = [index[int(n)] for n in nodes[size * e:size * e + size]]
-                cells.append((int(element), [GMSH_KINDS[kind], corners], int(physical[0]) if physical else 0))
+                # What Medit calls references are entities in Gmsh.
+                marker = entity if path.suffix == ".mesh" else int(physical[0]) if physical else 0
+                cells.append((int(element), [GMSH_KINDS[kind], corners], marker))
     gmsh.finalize()
     cells.sort()
     return points, [cell for _, cell, _ in cells], [marker for _, _, marker in cells]
@@ -283,7 +285,12 @@ def check_patches(boundary, hexes, front):
 
 READERS = {
     ".vtu": [with_meshio, with_vtk],
+    ".vtk": [with_meshio, with_vtk],
     ".msh": [with_meshio, with_gmsh],
+    ".mesh": [with_meshio, with_gmsh],
+    ".ply": [with_meshio],
+    ".obj": [with_meshio],
+    ".stl": [with_meshio],
     ".off": [with_meshio],
     ".ele": [with_meshio, by_hand_triangle],
     ".poly": [by_hand_triangle],

@@ -24,8 +24,8 @@ pub(crate) struct BlockArgs {
     /// Circles in a bounding circle or in a periodic rectangle
     #[arg(value_name = "DOMAIN.toml")]
     domain: PathBuf,
-    /// Mesh to write, by extension: .vtu .msh .p3d .p3b .off, or a file called blockMeshDict; may
-    /// be repeated
+    /// Mesh to write, by extension: .vtu .vtk .msh .mesh .p3d .p3b .off .ply .obj, or a file called
+    /// blockMeshDict; may be repeated
     #[arg(short, long, value_name = "OUT")]
     output: Vec<PathBuf>,
     /// Cells along and across every block
@@ -52,12 +52,16 @@ enum Matching {
     Circle,
 }
 
-const FORMATS: [Format; 6] = [
+const FORMATS: [Format; 10] = [
     Format::Vtu,
+    Format::Vtk,
     Format::Msh,
+    Format::Medit,
     Format::Plot3dAscii,
     Format::Plot3dBinary,
     Format::Off,
+    Format::Ply,
+    Format::Obj,
     Format::BlockMeshDict,
 ];
 

@@ -128,6 +128,9 @@ pub(crate) fn write_marked(
     mesh: &Mesh,
     with_edges: Option<&Mesh>,
 ) -> Result<(), WriteError> {
-    let has_place = matches!(Format::from_path(path), Some(Format::Vtu | Format::Msh));
+    let has_place = matches!(
+        Format::from_path(path),
+        Some(Format::Vtu | Format::Vtk | Format::Msh | Format::Medit)
+    );
     outputs.mesh(path, with_edges.filter(|_| has_place).unwrap_or(mesh))
 }

@@ -14,7 +14,7 @@ use super::report::Report;
 
 #[derive(Args)]
 pub(crate) struct QualityArgs {
-    /// A mesh of triangles, quads or tetrahedra, by extension: .vtu .msh .p3d .p3b .ele .off .ply .stl .obj
+    /// A mesh of triangles, quads or tetrahedra, by extension: .vtu .vtk .msh .mesh .p3d .p3b .ele .off .ply .stl .obj
     #[arg(value_name = "MESH")]
     mesh: PathBuf,
     /// List this many of the worst cells of each measure

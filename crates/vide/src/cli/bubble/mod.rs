@@ -33,7 +33,7 @@ pub(crate) struct BubbleArgs {
     /// whose outline is taken
     #[arg(value_name = "OUTLINE")]
     input: PathBuf,
-    /// Triangles to write, by extension: .vtu .msh .off .ele .node; may be repeated
+    /// Triangles to write, by extension: .vtu .vtk .msh .mesh .off .ply .stl .obj .ele .node; may be repeated
     #[arg(short, long, value_name = "OUT", required = true)]
     output: Vec<PathBuf>,
     /// The method of the paper: nodes at centroids, then forces between bubbles
@@ -75,10 +75,15 @@ pub(crate) struct BubbleArgs {
     pub(super) common: Common,
 }
 
-const FORMATS: [Format; 5] = [
+const FORMATS: [Format; 10] = [
     Format::Vtu,
+    Format::Vtk,
     Format::Msh,
+    Format::Medit,
     Format::Off,
+    Format::Ply,
+    Format::Stl,
+    Format::Obj,
     Format::TriangleNode,
     Format::TriangleEle,
 ];

@@ -23,8 +23,8 @@ pub(crate) struct DelaunayArgs {
     /// .msh
     #[arg(value_name = "POINTS")]
     points: PathBuf,
-    /// Triangles or tetrahedra to write, by extension: .vtu .msh .ele, triangles also .off; may be
-    /// repeated
+    /// Triangles or tetrahedra to write, by extension: .vtu .vtk .msh .mesh .ele, triangles also .off .ply
+    /// .stl .obj; may be repeated
     #[arg(short, long, value_name = "OUT", required = true)]
     output: Vec<PathBuf>,
     /// Triangles of the plane or tetrahedra of space; else as the points say, those with z = 0
@@ -66,13 +66,18 @@ struct Triangulated {
     report: Report,
 }
 
-const FORMATS: [Format; 5] = [
+const FORMATS: [Format; 10] = [
     Format::Vtu,
+    Format::Vtk,
     Format::Msh,
+    Format::Medit,
     Format::TriangleNode,
     Format::TriangleEle,
-    // Has no place for tetrahedra.
+    // The others have no place for tetrahedra.
     Format::Off,
+    Format::Ply,
+    Format::Stl,
+    Format::Obj,
 ];
 
 /// What Voronoi cells are clipped to, in messages.
@@ -92,7 +97,7 @@ pub(crate) fn run(args: &DelaunayArgs) -> Result<(), Failure> {
     } = match input::dimension(args, &points) {
         Dimension::Plane => plane::triangulate(args, points, &mut watch)?,
         Dimension::Space => {
-            check_formats(&args.output, &FORMATS[..4], "tetrahedra")?;
+            check_formats(&args.output, &FORMATS[..6], "tetrahedra")?;
             space::tetrahedralize(args, points, &mut watch)?
         }
     };

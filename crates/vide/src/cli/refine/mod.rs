@@ -32,7 +32,7 @@ pub(crate) struct RefineArgs {
     /// whose outline is kept
     #[arg(value_name = "INPUT")]
     input: PathBuf,
-    /// Tetrahedra or triangles to write, by extension: .vtu .msh .ele .node; may be repeated
+    /// Tetrahedra or triangles to write, by extension: .vtu .vtk .msh .mesh .ele .node; may be repeated
     #[arg(short, long, value_name = "OUT", required = true)]
     output: Vec<PathBuf>,
     /// Elements whose circumradius is more than R times their shortest edge are of low quality; at least 1 [default: 2; in
@@ -79,9 +79,11 @@ struct Refined {
     report: Report,
 }
 
-const FORMATS: [Format; 4] = [
+const FORMATS: [Format; 6] = [
     Format::Vtu,
+    Format::Vtk,
     Format::Msh,
+    Format::Medit,
     Format::TriangleNode,
     Format::TriangleEle,
 ];

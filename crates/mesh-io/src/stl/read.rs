@@ -1,17 +1,13 @@
-//! STL: triangles one by one, from text or from binary.
-//!
-//! Every triangle brings its own three corners, so the points are found by place: corners with equal coordinates are one
-//! point, and points are numbered as they first appear. Normals, names and colours are passed over.
+//! Reads triangles, and finds their corners by place.
 
 use std::collections::HashMap;
 
+use super::HEADER;
 use crate::cell::Cells;
 use crate::error::{ReadError, ReadProblem};
 use crate::lines::{Line, Lines};
 use crate::mesh::{Mesh, MeshDefect, first_not_finite};
 
-/// Bytes in front of the triangles of a binary file: anything, then their number.
-const HEADER: usize = 80;
 const FRONT: usize = HEADER + 4;
 
 /// Bytes of a triangle in a binary file: normal, three corners, two bytes more.

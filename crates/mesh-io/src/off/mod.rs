@@ -1,6 +1,13 @@
 //! OFF: points and polygons as plain text.
+//!
+//! Colours, normals and texture coordinates of points (COFF, NOFF, STOFF) and colours of faces are passed over; points of other than
+//! three coordinates (4OFF, nOFF) and binary files are refused.
+
+mod header;
 
 use std::io::Write;
+
+use header::Header;
 
 use crate::cell::{Cell, Cells};
 use crate::error::{ReadError, ReadProblem, WriteError, WriteProblem};
@@ -17,8 +24,9 @@ use crate::points::Coordinates;
 /// Counts that do not hold, corners that do not exist, faces of more than 4 corners, numbers that are none or not finite; each with
 /// its line. O(file).
 pub fn parse(bytes: &[u8]) -> Result<Mesh, ReadError> {
-    let mut lines = Lines::new(bytes)?;
-    let (points, face_count) = points(&mut lines)?;
+    let (header, mut lines) = Header::read(bytes)?;
+    let points = points(&mut lines, &header)?;
+    let face_count = header.faces;
     let mut cells = Cells::new();
     for index in 0..face_count {
         let line = lines.due(format_args!("face {index} of {face_count}"))?;
@@ -37,8 +45,9 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, ReadError> {
 /// Counts that do not hold, corners that do not exist, numbers that are none or not finite, each with its line; the first point
 /// that is not at z = 0. O(file).
 pub fn parse_outline(bytes: &[u8]) -> Result<PlanarGraph, ReadError> {
-    let mut lines = Lines::new(bytes)?;
-    let (points, face_count) = points(&mut lines)?;
+    let (header, mut lines) = Header::read(bytes)?;
+    let points = points(&mut lines, &header)?;
+    let face_count = header.faces;
     let places = Coordinates::Space(points).into_plane();
     let places = places.map_err(ReadProblem::from)?;
     let mut outline = Outline::default();
@@ -59,37 +68,17 @@ pub fn parse_outline(bytes: &[u8]) -> Result<PlanarGraph, ReadError> {
     Ok(outline.into_graph())
 }
 
-/// The points, and how many faces follow.
-fn points(lines: &mut Lines<'_>) -> Result<(Vec<[f64; 3]>, usize), ReadError> {
-    let (point_count, face_count) = counts(lines)?;
-    let mut points = Vec::with_capacity(lines.room_for(point_count));
-    for index in 0..point_count {
-        let mut line = lines.due(format_args!("point {index} of {point_count}"))?;
+fn points(lines: &mut Lines<'_>, header: &Header) -> Result<Vec<[f64; 3]>, ReadError> {
+    let count = header.points;
+    let mut points = Vec::with_capacity(lines.room_for(count));
+    for index in 0..count {
+        let mut line = lines.due(format_args!("point {index} of {count}"))?;
         points.push(line.coordinates("point", index)?);
-        line.end(format_args!("the coordinates of point {index}"))?;
+        if !header.has_attributes {
+            line.end(format_args!("the coordinates of point {index}"))?;
+        }
     }
-    Ok((points, face_count))
-}
-
-/// Numbers of points and faces, after the word OFF or on the line below it.
-fn counts(lines: &mut Lines<'_>) -> Result<(usize, usize), ReadError> {
-    let mut line = lines.due(format_args!("the word OFF"))?;
-    match line.word() {
-        Some("OFF") => {}
-        word => return Err(line.unexpected(format_args!("the word OFF"), word.unwrap_or_default())),
-    }
-    if line.text == "OFF" {
-        line = lines.due(format_args!("the numbers of points, faces and edges"))?;
-    }
-    let points = line.number(format_args!("the number of points"))?;
-    let faces = line.number(format_args!("the number of faces"))?;
-    // The number of edges is always there and never means anything.
-    let _edges = line.word();
-    line.end(format_args!("the numbers of points, faces and edges"))?;
-    if u32::try_from(points).is_err() {
-        return Err(line.problem(crate::mesh::MeshDefect::TooManyPoints(points)));
-    }
-    Ok((points, faces))
+    Ok(points)
 }
 
 fn face(mut line: Line<'_>, index: usize, point_count: usize) -> Result<Cell, ReadError> {
@@ -190,7 +179,7 @@ mod tests {
     #[test]
     fn errors_name_line_and_element() {
         insta::assert_snapshot!(error(""), @"line 1: the file ends where the word OFF should follow");
-        insta::assert_snapshot!(error("COFF\n"), @"line 1: expected the word OFF, found `COFF`");
+        insta::assert_snapshot!(error("COFF\n"), @"line 1: the file ends where the numbers of points, faces and edges should follow");
         insta::assert_snapshot!(error("OFF\n2 -1 0"), @"line 2: expected the number of faces, found `-1`");
         insta::assert_snapshot!(error("OFF\n5000000000 0 0"), @"line 2: 5000000000 points are more than 32-bit indices can name");
         insta::assert_snapshot!(error("OFF\n4000000000 0 0\n0 0 0\n"), @"line 3: the file ends where point 1 of 4000000000 should follow");
