@@ -1,10 +1,11 @@
-//! Chores of the workspace: `cargo xtask figures`.
+//! Chores of the workspace: `cargo xtask figures`, `cargo xtask solids`.
 
 #![expect(clippy::print_stderr, reason = "a program for the terminal")]
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use xtask::solids::{self, SolidsArgs};
 use xtask::update::{self, FiguresArgs};
 
 #[derive(Parser)]
@@ -18,11 +19,16 @@ struct Cli {
 enum Chore {
     /// Makes the papers' figures anew and accepts what has changed.
     Figures(FiguresArgs),
+    /// Writes closed surfaces that are hard to fill with tetrahedra.
+    Solids(SolidsArgs),
 }
 
 fn main() -> ExitCode {
-    let Chore::Figures(args) = Cli::parse().chore;
-    match update::figures(&args) {
+    let outcome = match Cli::parse().chore {
+        Chore::Figures(args) => update::figures(&args),
+        Chore::Solids(args) => solids::solids(&args).map(|()| true),
+    };
+    match outcome {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
