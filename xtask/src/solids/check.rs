@@ -7,6 +7,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt;
 
 use super::Solid;
+use super::overlaps::{self, Extent};
 
 /// What is wrong with a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,7 +67,7 @@ impl fmt::Display for Defect {
 
 /// The first defect that is found, `None` for a valid surface. Exact.
 ///
-/// n log n and the number of pairs of triangles whose extents along the longest side of the surface overlap.
+/// n log n and the number of pairs of triangles whose boxes overlap, which is quadratic for needles.
 #[must_use]
 pub fn defect(solid: &Solid) -> Option<Defect> {
     defect_but_intersection(solid).or_else(|| intersection(solid))
@@ -146,48 +147,16 @@ fn open(triangles: &[[u32; 3]]) -> Option<Defect> {
     Some(Defect::Open { edge })
 }
 
-/// A triangle and the box round it.
-struct Boxed {
-    triangle: usize,
-    low: DVec3,
-    high: DVec3,
-}
-
-/// Triangles in the order of their boxes along the longest side of the surface: those before the end of a box are met in a row.
 fn intersection(solid: &Solid) -> Option<Defect> {
     let place = |v: VertexId| solid.points[v.index()];
     let ids = |triangle: usize| solid.triangles[triangle].map(|v| VertexId::new(v as usize));
-    let mut boxes: Vec<Boxed> = (0..solid.triangles.len())
-        .map(|triangle| {
-            let [a, b, c] = ids(triangle).map(place);
-            Boxed {
-                triangle,
-                low: a.min(b).min(c),
-                high: a.max(b).max(c),
-            }
-        })
+    let extents: Vec<Extent> = (0..solid.triangles.len())
+        .map(|triangle| Extent::of(&ids(triangle).map(place)))
         .collect();
-    let low = boxes.iter().fold(DVec3::INFINITY, |low, b| low.min(b.low));
-    let high = boxes
-        .iter()
-        .fold(DVec3::NEG_INFINITY, |high, b| high.max(b.high));
-    let axis = (high - low).max_position();
-    boxes.sort_by(|a, b| a.low[axis].total_cmp(&b.low[axis]));
-    for (index, first) in boxes.iter().enumerate() {
-        let overlapping = boxes[index + 1..]
-            .iter()
-            .take_while(|second| second.low[axis] <= first.high[axis])
-            .filter(|second| {
-                first.low.cmple(second.high).all() && second.low.cmple(first.high).all()
-            });
-        for second in overlapping {
-            let triangles = [first.triangle, second.triangle];
-            if triangles_intersect(place, ids(triangles[0]), ids(triangles[1])) {
-                return Some(Defect::Intersection { triangles });
-            }
-        }
-    }
-    None
+    let triangles = overlaps::find(&extents, |[first, second]| {
+        triangles_intersect(place, ids(first), ids(second))
+    })?;
+    Some(Defect::Intersection { triangles })
 }
 
 #[cfg(test)]
