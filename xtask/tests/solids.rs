@@ -54,7 +54,7 @@ fn triangles_agree_on_the_outside_and_most_of_the_body_is_inside() {
 fn the_same_number_and_seed_give_the_same_bits_and_others_do_not() {
     for family in &FAMILIES {
         let bits = |solid: Solid| -> Vec<u64> {
-            let coordinates = solid.points.iter().flat_map(|p| p.to_array());
+            let coordinates = solid.points.iter().flat_map(glam::DVec3::to_array);
             coordinates.map(f64::to_bits).collect()
         };
         let all = |seed| -> Vec<(String, Vec<[u32; 3]>, Vec<u64>)> {

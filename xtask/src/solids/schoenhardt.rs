@@ -44,7 +44,7 @@ pub fn draw(size: Size, seed: u64) -> Solid {
     }
 }
 
-/// A prism of height 1 over a regular polygon of radius 1, turned by (1 - `closeness`) of the limit; `closeness` from 0, excluded, to 1.
+/// A prism of height 1 over a regular polygon of radius 1 with at least three `sides`, turned by (1 - `closeness`) of the limit; `closeness` from 0, excluded, to 1.
 #[must_use]
 pub fn prism(sides: usize, closeness: f64) -> Solid {
     let name = format!("prism-{sides}-{closeness:.0e}");

@@ -26,7 +26,7 @@ pub fn draw(size: Size, seed: u64) -> Solid {
             let around = random.random_range(size.pick([3..=40, 60..=120, 200..=500]));
             torus(
                 around,
-                random.random_range(3..=around),
+                random.random_range(3..=around.min(200)),
                 random.random_range(0.05..0.9),
                 seed,
             )

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use clap::Args;
+use glam::DVec3;
 use mesh_io::{Cell, Cells, Mesh, write_mesh};
 
 use super::check::{Defect, defect, defect_but_intersection};
@@ -85,7 +86,7 @@ fn families(name: Option<&str>) -> Result<Vec<&'static Family>, Box<dyn Error>> 
 
 /// The solid as a file holds it; written as OFF and read, its coordinates have the same bits.
 fn mesh(solid: &Solid) -> Mesh {
-    let points = solid.points.iter().map(|p| p.to_array()).collect();
+    let points = solid.points.iter().map(DVec3::to_array).collect();
     let cells: Cells = solid
         .triangles
         .iter()
