@@ -17,6 +17,9 @@ use super::skin::Skin;
 use super::turn::{nth, turned};
 use super::{Random, Size, Solid, random};
 
+/// Turns round the axis and through the hole.
+const KNOTS: [[usize; 2]; 7] = [[2, 3], [3, 2], [2, 5], [3, 4], [3, 5], [5, 2], [4, 7]];
+
 /// One of the three kinds.
 #[must_use]
 pub fn draw(size: Size, seed: u64) -> Solid {
@@ -32,10 +35,9 @@ pub fn draw(size: Size, seed: u64) -> Solid {
             )
         }
         1 => {
-            let kinds = [[2, 3], [3, 2], [2, 5], [3, 4], [3, 5], [5, 2], [4, 7]];
             let steps = random.random_range(size.pick([30..=120, 200..=600, 2000..=4000]));
             knot(
-                kinds[random.random_range(0..7)],
+                KNOTS[random.random_range(0..KNOTS.len())],
                 steps,
                 random.random_range(3..=8),
                 seed,
@@ -61,12 +63,12 @@ pub fn torus(around: usize, across: usize, tube: f64, seed: u64) -> Solid {
     skin.into_solid(format!("torus-{around}x{across}"))
 }
 
-/// A tube along a torus knot, with `steps` sections of so many `corners`.
+/// A tube along a torus knot, with `steps` sections of so many `corners`, or a small multiple where so few let the strands meet.
 #[must_use]
 pub fn knot([p, q]: [usize; 2], steps: usize, corners: usize, seed: u64) -> Solid {
     const HOLE: f64 = 0.4;
     let mut random = random(seed);
-    let frame = |index: usize| {
+    let frame = |index: usize, steps: usize| {
         let out = nth(index * p, steps);
         let section = nth(index * q, steps);
         let radius = 1.0 + HOLE * section.x;
@@ -78,17 +80,23 @@ pub fn knot([p, q]: [usize; 2], steps: usize, corners: usize, seed: u64) -> Soli
         (centre, [normal, normal.cross(along).normalize()])
     };
     let widest: f64 = random.random_range(0.05..0.25);
-    let mut tube = |radius: f64| {
+    let mut tube = |radius: f64, steps: usize| {
         let mut skin = Skin::default();
-        tubed(&mut skin, steps, corners, radius, frame, &mut random);
+        tubed(
+            &mut skin,
+            steps,
+            corners,
+            radius,
+            |index| frame(index, steps),
+            &mut random,
+        );
         skin.into_solid(format!("knot-{p}-{q}-{steps}x{corners}"))
     };
-    // With few steps the strands themselves come close; a tube of a hair's width is clear of itself all the same.
-    [1.0, 0.7, 0.5, 0.3, 0.2, 0.1]
+    [(1.0, 1), (0.6, 1), (0.3, 1), (0.2, 2), (0.1, 4)]
         .into_iter()
-        .map(|part| tube(widest * part))
+        .map(|(part, factor)| tube(widest * part, steps * factor))
         .find(|solid| defect(solid).is_none())
-        .unwrap_or_else(|| tube(1e-3))
+        .unwrap_or_else(|| tube(1e-3, steps * 8))
 }
 
 /// Rings, each through the next.
@@ -133,6 +141,23 @@ fn tubed(
             let quad = [[0, 0], [1, 0], [1, 1], [0, 1]];
             let quad = quad.map(|[s, c]| place(step + s, corner + c));
             skin.quad(quad, random);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn knots_of_few_steps_are_clear_of_themselves() {
+        for kind in KNOTS {
+            for steps in [30, 31, 43, 60] {
+                for seed in 0..3 {
+                    let solid = knot(kind, steps, 3, seed);
+                    assert_eq!(defect(&solid), None, "{}", solid.name);
+                }
+            }
         }
     }
 }
