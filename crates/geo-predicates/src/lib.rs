@@ -54,8 +54,6 @@
 //!
 //! Ties of in-circle, in-sphere and power tests are broken in [`perturb`]; orientation never is.
 //!
-//! Points exactly on a segment, which doubles seldom can hold, have signs too: [`ExactPoint3`].
-//!
 //! # Stages
 //!
 //! 1. [`filter`]: the determinant in doubles, with a bound on its error. Decides nearly all generic
@@ -87,7 +85,6 @@ mod few_bits;
 mod grid;
 mod in_ball;
 mod meet;
-mod on_segment;
 mod orient;
 mod power;
 mod sign;
@@ -102,7 +99,6 @@ pub use diametral::{in_diametral_ball, in_diametral_circle, in_diametral_sphere}
 pub use glam::{DVec2, DVec3};
 pub use in_ball::{in_circle, in_sphere};
 pub use meet::{Plane, meet_in_front, meet_place};
-pub use on_segment::{ExactPoint3, SegmentPoint3, in_sphere_perturbed_exact, orient3d_exact};
 pub use orient::{orient2d, orient3d};
 pub use perturb::{
     Lexicographic2, Lexicographic3, cocircular_inside, in_circle_perturbed, in_circle_perturbed_by,

@@ -44,7 +44,7 @@ impl Ord for Lexicographic3 {
 
 /// Order of two coordinates with the two zeros equal (adding 0.0 turns -0.0 into 0.0).
 #[inline]
-pub(crate) fn compare(a: f64, b: f64) -> Ordering {
+fn compare(a: f64, b: f64) -> Ordering {
     (a + 0.0).total_cmp(&(b + 0.0))
 }
 
@@ -221,16 +221,8 @@ fn first_nonzero<K: Copy + Ord, const N: usize>(
     keys: [K; N],
     coefficient: impl Fn(usize) -> Sign,
 ) -> bool {
-    raised_first::<N>(|i, j| (&keys[i], i).cmp(&(&keys[j], j)), coefficient)
-}
-
-/// As [`first_nonzero`], with the order of the keys by index.
-pub(crate) fn raised_first<const N: usize>(
-    by_key: impl Fn(usize, usize) -> Ordering,
-    coefficient: impl Fn(usize) -> Sign,
-) -> bool {
     let mut order: [usize; N] = std::array::from_fn(|i| i);
-    order.sort_unstable_by(|&i, &j| by_key(j, i));
+    order.sort_unstable_by(|&i, &j| (&keys[j], j).cmp(&(&keys[i], i)));
     let signs = order.into_iter().map(coefficient);
     signs
         .into_iter()
