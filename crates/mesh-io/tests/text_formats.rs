@@ -4,6 +4,7 @@
 
 mod meshes;
 mod spoiled;
+mod written;
 
 use mesh_io::triangle::{parse_ele, parse_node, parse_poly, write_ele, write_node, write_poly};
 use mesh_io::{CellKind, CirclesDomain, Format, Frame, Hole, Mesh, PlanarGraph, Region};
@@ -11,6 +12,7 @@ use mesh_io::{circles_toml, obj, off, stl, xy};
 use meshes::{coordinate, mesh};
 use proptest::prelude::*;
 use spoiled::{spoiled, spoils};
+use written::{bits, file};
 
 const FACES: &[CellKind] = CellKind::ALL.split_at(4).0;
 
@@ -19,18 +21,6 @@ fn points_alone(mesh: &Mesh) -> Mesh {
         points: mesh.points.clone(),
         ..Mesh::default()
     }
-}
-
-/// What a writer puts into a file.
-fn file(write: impl FnOnce(&mut Vec<u8>) -> Result<(), mesh_io::WriteError>) -> Vec<u8> {
-    let mut out = Vec::new();
-    write(&mut out).unwrap();
-    out
-}
-
-/// Tells `-0.0` from `0.0`, which `==` does not.
-fn bits(mesh: &Mesh) -> String {
-    format!("{mesh:?}")
 }
 
 proptest! {

@@ -59,7 +59,8 @@ pub(super) fn judged(path: &Path) -> Verdict {
         defect_but_intersection(&solid)
     };
     let text = match found {
-        Some(defect) => defect.to_string(),
+        // All that is wrong can take several lines.
+        Some(defect) => defect.replace('\n', " "),
         None if triangles > MOST => "closed, not searched for intersections".to_owned(),
         None => "valid".to_owned(),
     };

@@ -16,12 +16,13 @@ use rand::RngExt;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::Random;
+use super::places::Places;
 
 /// Points and segments in the plane. Segments must not cross.
 #[derive(Clone, Debug, Default)]
 pub struct Drawing {
     points: Vec<DVec2>,
-    at: FxHashMap<[u64; 2], usize>,
+    at: Places<2>,
     segments: Vec<[usize; 2]>,
 }
 
@@ -38,12 +39,8 @@ impl Drawing {
     /// Adds a point; the index of the one at that place.
     pub fn point(&mut self, place: DVec2) -> usize {
         let place = place + 0.0;
-        let next = self.points.len();
-        let index = *self
-            .at
-            .entry(place.to_array().map(f64::to_bits))
-            .or_insert(next);
-        if index == next {
+        let (index, is_new) = self.at.number(place.to_array());
+        if is_new {
             self.points.push(place);
         }
         index

@@ -23,8 +23,8 @@
 //! | `touching` | `touching.rs` | bodies that share a vertex or an edge and nothing else |
 //!
 //! What the families share: [`skin`] gathers triangles, [`flat`] and [`ears`] triangulate polygons badly, [`cells`] finds the
-//! surface of a set of cubes, [`extrude`] makes prisms, [`overlaps`] finds
-//! the triangles that may intersect, [`turn`] is the circle, the same on every machine.
+//! surface of a set of cubes, [`extrude`] makes prisms, [`places`] numbers
+//! places, [`turn`] is the circle, the same on every machine.
 
 use glam::DVec3;
 use rand::SeedableRng;
@@ -42,7 +42,7 @@ pub mod gears;
 pub mod lattices;
 pub mod letters;
 pub mod outlines;
-pub mod overlaps;
+pub mod places;
 pub mod rotated;
 pub mod schoenhardt;
 pub mod screws;

@@ -2,33 +2,27 @@
 
 use glam::DVec3;
 use rand::RngExt;
-use rustc_hash::FxHashMap;
 
+use super::places::Places;
 use super::{Random, Solid};
 
 /// Triangles between places.
 #[derive(Clone, Debug, Default)]
 pub struct Skin {
     points: Vec<DVec3>,
-    /// Which point is at a place, by the bits of its coordinates.
-    at: FxHashMap<[u64; 3], u32>,
+    at: Places<3>,
     triangles: Vec<[u32; 3]>,
 }
 
 impl Skin {
     /// The index of the vertex at this place.
     pub fn vertex(&mut self, place: DVec3) -> u32 {
-        // -0.0 + 0.0 is 0.0, so that both zeros are one place.
         let place = place + 0.0;
-        let next = self.points.len() as u32;
-        let index = *self
-            .at
-            .entry(place.to_array().map(f64::to_bits))
-            .or_insert(next);
-        if index == next {
+        let (index, is_new) = self.at.number(place.to_array());
+        if is_new {
             self.points.push(place);
         }
-        index
+        index as u32
     }
 
     /// Adds a triangle, unless two of its corners are at one place.

@@ -8,7 +8,7 @@ use clap::Args;
 use glam::DVec3;
 use mesh_io::{Cell, Cells, Mesh, write_mesh};
 
-use super::check::{Defect, defect, defect_but_intersection};
+use super::check::{defect, defect_but_intersection};
 use super::{FAMILIES, Family, Solid};
 
 /// Arguments of `cargo xtask solids`.
@@ -63,7 +63,7 @@ pub fn solids(args: &SolidsArgs) -> Result<(), Box<dyn Error>> {
 }
 
 /// Whole only where needles, whose boxes all overlap, do not take hours.
-fn judged(solid: &Solid) -> Option<Defect> {
+fn judged(solid: &Solid) -> Option<String> {
     const FEW: usize = 20_000;
     if solid.triangles.len() <= FEW {
         defect(solid)

@@ -7,7 +7,7 @@
 //! | one point: locate, cavity, star | `insert.rs`, `locate.rs`, `cavity.rs`, `sight.rs`, `star.rs`, `table.rs` |
 //! | all points | `build.rs`, `simplex.rs`, `bulk/`; a few `grow.rs` |
 //! | one point less, or elsewhere | `remove.rs`, `movement.rs`, `wrapping.rs` |
-//! | a closed surface and what it encloses | `surface.rs`, `region.rs`, `sweep.rs`, `intersection.rs`, `projection.rs` |
+//! | a closed surface and what it encloses | `surface.rs`, `places.rs`, `region.rs`, `sweep.rs`, `intersection.rs`, `projection.rs` |
 //! | triangles judged, all that is wrong with them | `domain/`, `bounds.rs` |
 //! | tetrahedra made elsewhere | `boundary_of_tets.rs` |
 //! | a part with a boundary of its own | `subcomplex.rs`, `boundary_cavity.rs`, `patch.rs`, `merge.rs`; not Delaunay `complex.rs` |
@@ -51,6 +51,7 @@ mod moments;
 mod movement;
 mod nearest;
 mod patch;
+mod places;
 mod polyhedron;
 mod projection;
 mod region;

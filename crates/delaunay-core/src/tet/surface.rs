@@ -15,11 +15,11 @@
 //! The way a triangle is turned is not asked.
 
 use super::delaunay::Delaunay3;
+use super::places::Places;
 use super::projection::View;
 use crate::ids::VertexId;
 use geo_predicates::{CoordinateError, check_points3};
 use glam::DVec3;
-use std::cmp::Ordering;
 use thiserror::Error;
 
 /// A closed surface of triangles in space, the boundary of a solid.
@@ -263,16 +263,8 @@ pub(super) fn unused<const N: usize>(points: usize, elements: &[[VertexId; N]]) 
 
 /// No two points are at one place.
 pub(super) fn check_places(points: &[DVec3]) -> Result<(), SurfaceError> {
-    // Coordinates are numbers, so any two can be compared, and -0.0 equals 0.0.
-    let by_place = |v: &VertexId, w: &VertexId| {
-        let [p, q] = [v, w].map(|v| points[v.index()].to_array());
-        p.partial_cmp(&q).unwrap_or(Ordering::Equal)
-    };
-    let mut vertices: Vec<VertexId> = (0..points.len()).map(VertexId::new).collect();
-    vertices.sort_by(by_place);
-    let pairs = vertices.windows(2).map(|pair| (pair[0], pair[1]));
-    match pairs.filter(|(v, w)| by_place(v, w).is_eq()).min() {
-        Some((first, second)) => Err(SurfaceError::CoincidentVertices { first, second }),
+    match Places::of(points, |_| true).doubles().min() {
+        Some([first, second]) => Err(SurfaceError::CoincidentVertices { first, second }),
         None => Ok(()),
     }
 }

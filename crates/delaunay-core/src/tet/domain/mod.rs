@@ -3,7 +3,7 @@
 //! | step | file |
 //! |---|---|
 //! | all steps, one after the other | `build.rs` |
-//! | points and triangles one by one, and which are twice | `soup.rs`, `places.rs` |
+//! | points and triangles one by one, and which are twice | `soup.rs`, `../places.rs` |
 //! | how many triangles an edge has, and what is open | `edges.rs`, `holes.rs` |
 //! | triangles that agree on their two sides | `patches.rs` |
 //! | triangles that intersect | `intersections.rs`, `hierarchy.rs`, `parting.rs` |
@@ -25,7 +25,6 @@ mod options;
 mod outwards;
 mod parting;
 mod patches;
-mod places;
 mod repairs;
 mod shells;
 mod soup;

@@ -5,9 +5,9 @@ use super::defect::{
 };
 use super::defects::DomainDefects;
 use super::options::Domain3Options;
-use super::places::Places;
 use crate::ids::VertexId;
 use crate::progress::{Cancelled, Meter};
+use crate::tet::places::Places;
 use crate::tet::projection::View;
 use crate::tet::surface::sorted;
 use geo_predicates::check_point3;

@@ -1,14 +1,9 @@
 //! Legacy VTK: what is written is read bit for bit, other writers' spellings are read, and no file makes the reader panic.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-mod meshes;
-mod spoiled;
-
+use crate::meshes::mesh;
+use crate::spoiled::{spoiled, spoils};
 use mesh_io::{Cell, CellKind, Mesh, vtk};
-use meshes::mesh;
 use proptest::prelude::*;
-use spoiled::{spoiled, spoils};
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]

@@ -1,29 +1,13 @@
 //! STL, OBJ and PLY: what is written is read bit for bit, and no file makes a reader panic.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-mod meshes;
-mod spoiled;
-
+use crate::meshes::mesh;
+use crate::spoiled::{spoiled, spoils};
+use crate::written::{bits, file};
 use mesh_io::{Cell, CellKind, Encoding, Mesh, obj, ply, read_mesh, stl, write_mesh};
-use meshes::mesh;
 use proptest::prelude::*;
-use spoiled::{spoiled, spoils};
 
 const SURFACE: &[CellKind] = &[CellKind::Segment, CellKind::Triangle, CellKind::Quad];
 const ENCODINGS: [Encoding; 2] = [Encoding::Ascii, Encoding::Binary];
-
-/// What a writer puts into a file.
-fn file(write: impl FnOnce(&mut Vec<u8>) -> Result<(), mesh_io::WriteError>) -> Vec<u8> {
-    let mut out = Vec::new();
-    write(&mut out).unwrap();
-    out
-}
-
-/// Tells `-0.0` from `0.0`, which `==` does not.
-fn bits(mesh: &Mesh) -> String {
-    format!("{mesh:?}")
-}
 
 fn corners_of(mesh: &Mesh) -> Vec<[f64; 3]> {
     let corners = mesh.cells.corners().iter();

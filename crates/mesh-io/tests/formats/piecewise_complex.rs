@@ -1,17 +1,12 @@
 //! The files of `TetGen`: what is written is read bit for bit, no file makes a reader panic, and a path tells the plane from space.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-mod meshes;
-mod spoiled;
-
+use crate::meshes::{coordinate, mesh};
+use crate::spoiled::{spoiled, spoils};
 use mesh_io::tetgen::{parse_poly, parse_smesh, write_poly};
 use mesh_io::triangle::Nodes;
 use mesh_io::{CellKind, Facet, PiecewiseComplex, ReadError, ReadProblem, SolidRegion};
 use mesh_io::{read_mesh, read_piecewise_complex, read_planar_graph, write_piecewise_complex};
-use meshes::{coordinate, mesh};
 use proptest::prelude::*;
-use spoiled::{spoiled, spoils};
 
 fn none_beside() -> Result<Nodes, ReadError> {
     Err(ReadProblem::UnknownFormat.into())

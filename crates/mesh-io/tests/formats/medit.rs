@@ -1,14 +1,9 @@
 //! Medit: what is written is read bit for bit, and no file makes the reader panic.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
-mod meshes;
-mod spoiled;
-
+use crate::meshes::mesh;
+use crate::spoiled::{spoiled, spoils};
 use mesh_io::{Cell, CellKind, Mesh, medit};
-use meshes::mesh;
 use proptest::prelude::*;
-use spoiled::{spoiled, spoils};
 
 const CELLS: &[CellKind] = CellKind::ALL.split_at(1).1;
 const FACES: &[CellKind] = &[CellKind::Segment, CellKind::Triangle, CellKind::Quad];
